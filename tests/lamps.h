@@ -1,5 +1,6 @@
 // Scenes that lamps alone light, and the ray-traced truth of the same view.
 #pragma once
+#include <array>
 #include <vector>
 
 #include "objects.h"
@@ -20,6 +21,21 @@ inline Project cubeAtNight(const std::filesystem::path& dir) {
     for (const char* name : {"sun", "sky"}) removeEntity(p, name);
     putLamp(p, "lamp", {10, 5, 13}, {.intensity = 8, .attenuation = 0.1f});
     return p;
+}
+
+// Down on the middle of ground of 20 x 20 m, and a square picture of that.
+inline const ViewCamera kOver{{10, 16, 10.01}, {10, 0, 10}, 60, 0};
+inline ViewSettings square() {
+    ViewSettings s;
+    s.width = 160, s.height = 160;
+    s.measure = true;
+    return s;
+}
+// Draws of a pass in the last frame.
+inline uint64_t drawsOf(const Renderer& r, const std::string& name) {
+    for (const PassStats& pass : r.stats().passes)
+        if (pass.name == name) return pass.draws;
+    return 0;
 }
 
 // Mean green of three by three pixels where a point of the world is seen.
@@ -53,7 +69,47 @@ inline std::vector<float> tracedLight(const Project& p, const ViewCamera& c, con
 struct ThreePictures {
     std::vector<float> drawn, truth, open;
 };
-// Whether the truth has all of the light at a point of the ground (1), none of it (-1), or is at an edge or without
+// casts: whether what casts the shadows does.
+inline ThreePictures threePictures(Renderer& r, Project& p, const ViewCamera& c, const ViewSettings& s, bool& casts) {
+    ThreePictures of;
+    of.drawn = drawnLight(r, p, c, s);
+    of.truth = tracedLight(p, c, s, 16);
+    casts = false;
+    of.open = drawnLight(r, p, c, s);
+    casts = true;
+    return of;
+}
+// By how much a picture changes at most, in levels of 255, where what casts shadows does not.
+inline int mostShaded(Renderer& r, Project& p, const ViewCamera& c, bool& casts) {
+    EXPECT_TRUE(r.draw(p, c, square()));
+    const std::vector<uint8_t> shaded = r.readImage();
+    casts = false;
+    EXPECT_TRUE(r.draw(p, c, square()));
+    const std::vector<uint8_t> open = r.readImage();
+    casts = true;
+    int most = 0;
+    for (size_t i = 0; i < open.size(); ++i) most = std::max(most, std::abs(open[i] - shaded[i]));
+    return most;
+}
+
+// A point of a surface, and four beside it.
+struct Spot {
+    glm::dvec3 at;
+    std::array<glm::dvec3, 4> beside;
+};
+// Points of the ground (`height` at x and z), and those so many metres away on all four sides.
+template <class F>
+std::vector<Spot> groundSpots(const std::vector<glm::dvec2>& points, double beside, F height) {
+    const auto ground = [&](double x, double z) { return glm::dvec3(x, height(x, z), z); };
+    std::vector<Spot> spots;
+    for (const glm::dvec2& p : points)
+        spots.push_back({ground(p.x, p.y),
+                         {ground(p.x + beside, p.y), ground(p.x - beside, p.y), ground(p.x, p.y + beside),
+                          ground(p.x, p.y - beside)}});
+    return spots;
+}
+
+// Whether the truth has all of the light at a point (1), none of it (-1), or is at an edge or without
 // light worth a shadow (0). faint: light that is too little.
 inline int truthAt(const ThreePictures& of, const ViewCamera& c, const ViewSettings& s, const glm::dvec3& at,
                    float faint) {
@@ -68,22 +124,16 @@ struct ShadowsSeen {
     float offOpen = 0;      // what is drawn there, as a share of the light without shadows
     glm::dvec3 darkestAt{0}, offAt{0};
 };
-// Points of the ground (`height` at x and z) that are dark or lit in the truth, and so are those `edge` metres away on
-// all four sides.
-template <class F>
-ShadowsSeen compareShadows(const ThreePictures& of, const ViewCamera& c, const ViewSettings& s,
-                           const std::vector<glm::dvec2>& points, double edge, F height) {
-    const auto ground = [&](double x, double z) { return glm::dvec3(x, height(x, z), z); };
+// Of spots that are dark or lit in the truth, and so are those beside.
+inline ShadowsSeen compareShadows(const ThreePictures& of, const ViewCamera& c, const ViewSettings& s,
+                                  const std::vector<Spot>& spots) {
     float faint = 0;
-    for (const glm::dvec2& at : points) faint = std::max(faint, 0.002f * greenAt(of.open, c, s, ground(at.x, at.y)));
+    for (const Spot& spot : spots) faint = std::max(faint, 0.002f * greenAt(of.open, c, s, spot.at));
     ShadowsSeen seen;
-    for (const glm::dvec2& p : points) {
-        const glm::dvec3 at = ground(p.x, p.y);
+    for (const auto& [at, beside] : spots) {
         const int truth = truthAt(of, c, s, at, faint);
         bool even = truth != 0;
-        for (const glm::dvec2& by :
-             {glm::dvec2(edge, 0), glm::dvec2(-edge, 0), glm::dvec2(0, edge), glm::dvec2(0, -edge)})
-            even = even && truthAt(of, c, s, ground(p.x + by.x, p.y + by.y), faint) == truth;
+        for (const glm::dvec3& by : beside) even = even && truthAt(of, c, s, by, faint) == truth;
         if (!even) continue;
         const float drawn = greenAt(of.drawn, c, s, at);
         const float share = drawn / greenAt(of.open, c, s, at), off = std::abs(drawn / greenAt(of.truth, c, s, at) - 1);
@@ -97,8 +147,9 @@ ShadowsSeen compareShadows(const ThreePictures& of, const ViewCamera& c, const V
 inline void expectAsInTruth(const ShadowsSeen& seen, int dark, int lit) {
     EXPECT_GT(seen.dark, dark);
     EXPECT_GT(seen.lit, lit);
-    EXPECT_LT(seen.darkest, 0.05f) << seen.darkestAt.x << ' ' << seen.darkestAt.z;
-    EXPECT_LT(seen.off, 0.1f) << seen.offAt.x << ' ' << seen.offAt.z << ", where " << seen.offOpen
+    const auto text = [](const glm::dvec3& at) { return fmt::format("{} {} {}", at.x, at.y, at.z); };
+    EXPECT_LT(seen.darkest, 0.05f) << text(seen.darkestAt);
+    EXPECT_LT(seen.off, 0.1f) << text(seen.offAt) << ", where " << seen.offOpen
                               << " of the light without shadows is drawn";
     std::printf("%d dark points, at most %.4f of the light; %d lit ones, at most %.4f off\n", seen.dark,
                 static_cast<double>(seen.darkest), seen.lit, static_cast<double>(seen.off));

@@ -214,20 +214,23 @@ glm::vec3 lightFrom(const View& v, const Surface& s, const glm::vec3& toEye, con
     return sent * untracedShare(v, s, light.casts, light.towards.y);
 }
 
-glm::vec3 directLight(const View& v, const Surface& s, const glm::vec3& toEye, Dice& dice, GrassMemory& memory) {
+// Calls body(arriving) for the sun, if it is up, and for each lamp.
+template <class F>
+void eachLight(const View& v, const glm::dvec3& at, F body) {
     constexpr double kFar = std::numeric_limits<double>::infinity();
     const FrameGlobals& g = v.globals;
-    glm::vec3 sum(0);
-    if (v.hasSun && g.sunIsUp > 0)
-        sum += lightFrom(v, s, toEye, {g.sunDirection, kFar, g.sunLight, g.sunCasts > 0}, dice, memory);
+    if (v.hasSun && g.sunIsUp > 0) body(Arriving{g.sunDirection, kFar, g.sunLight, g.sunCasts > 0});
     for (int i = 0; i < v.lamps.count; ++i) {
         const LightGlobals& l = v.lamps.lights[i];
-        const glm::vec3 way = l.place - glm::vec3(s.at - v.eye) * l.isPoint;
+        const glm::vec3 way = l.place - glm::vec3(at - v.eye) * l.isPoint;
         const f32::PointLight p = f32::pointLight(way, l.beta);
         const double far = l.isPoint > 0 ? static_cast<double>(glm::length(way)) : kFar;
-        const bool casts = i < v.lamps.casting;
-        sum += lightFrom(v, s, toEye, {p.direction, far, l.color * p.attenuation, casts}, dice, memory);
+        body(Arriving{p.direction, far, l.color * p.attenuation, i < v.lamps.casting});
     }
+}
+glm::vec3 directLight(const View& v, const Surface& s, const glm::vec3& toEye, Dice& dice, GrassMemory& memory) {
+    glm::vec3 sum(0);
+    eachLight(v, s.at, [&](const Arriving& light) { sum += lightFrom(v, s, toEye, light, dice, memory); });
     return sum;
 }
 
@@ -269,24 +272,22 @@ Bounce bounceOff(const Surface& s, const glm::vec3& toEye, Dice& dice) {
     return {towards, sends(s, toEye, towards) / (cosine * (behind ? share : 1 - share))};
 }
 
-// What the surface of water itself shows: the sun's glint; and of the light that enters, what its body sends back, as a
-// factor of the share that does not come through.
+// What the surface of water itself shows: glints of sun and lamps; and of the light that enters, what its body sends
+// back, as a factor of the share that does not come through.
 struct WaterShows {
     glm::vec3 glint{0}, body{0};
 };
 WaterShows waterShows(const View& v, const WaterMet& w, const Ray& ray, Dice& dice, GrassMemory& memory) {
-    const FrameGlobals& g = v.globals;
     WaterShows shows;
-    shows.body = v.water.color() * g.skyLight;
-    const glm::vec3 sun = g.sunDirection;
+    shows.body = v.water.color() * v.globals.skyLight;
     Surface s;
     s.met = Met::Water;
     s.at = w.at;
-    if (!v.hasSun || g.sunIsUp <= 0 ||
-        (g.sunCasts > 0 && !lit(v, s, sun, std::numeric_limits<double>::infinity(), dice, memory)))
-        return shows;
-    shows.body += v.water.color() * g.sunLight * sun.y;
-    shows.glint = g.sunLight * f32::sunGlint(w.slope, f32::kSmoothest, glm::vec3(-ray.way), sun);
+    eachLight(v, s.at, [&](const Arriving& l) {
+        if (!(l.towards.y > 0) || (l.casts && !lit(v, s, l.towards, l.far, dice, memory))) return;
+        shows.body += v.water.color() * l.color * l.towards.y;
+        shows.glint += l.color * f32::sunGlint(w.slope, f32::kSmoothest, glm::vec3(-ray.way), l.towards);
+    });
     return shows;
 }
 

@@ -1,6 +1,7 @@
 // What a forest leaves of the sky's light on the ground below it, multiplied onto the picture; the sun's is taken where
-// the ground is lit (lib/shadow.glsl).
+// the ground is lit (lib/shadow.glsl), and lamps' light stays as it is.
 #include "lib/frame.glsl"
+#include "lib/lamp_shadow.glsl"
 #include "lib/light.glsl"
 #include "lib/shadow.glsl"
 
@@ -16,6 +17,7 @@ void main() {
     if (open > kOpen) discard;
     vec3 n = normalize(normal), sky = ambientLight(n), sun = vec3(0.0);
     if (SUN) sun = sunLight(n) * sunVisible(position, vec3(0.0));
+    if (LAMPS) sun += lampLight(position, n, vec3(0.0));
     vec3 left = (sky * open + sun) / max(sky + sun, vec3(1e-6));
     color = vec4(mix(left, vec3(1.0), hazeShare(length(position))), 1.0);
 }

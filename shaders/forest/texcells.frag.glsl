@@ -1,9 +1,13 @@
-// What a slice shows of the trees in its tile: leaves lit by sun and sky through the air above and around them, and by
-// what shines through them, in the haze. Each tree stands on the ground at its own foot, whatever the slice's plane.
+// What a slice shows of the trees in its tile: leaves lit by sun and sky through the air above and around them, by
+// lamps through the leaves on the way there, and by what shines through them, in the haze. Each tree stands on the
+// ground at its own foot, whatever the slice's plane.
 #include "lib/canopy.glsl"
 #include "lib/frame.glsl"
+#include "lib/lamp_shadow.glsl"
+#include "lib/lamps.glsl"
 #include "lib/shadow.glsl"
 #include "numerics/correction.h"
+#include "numerics/forest.h"
 #include "numerics/leaf.h"
 #include "shared/bindings.h"
 #include "shared/forest.h"
@@ -26,6 +30,42 @@ flat in vec2 canopy;
 flat in int level;
 layout(location = 0) out vec4 color;
 layout(location = 1) out float depth;
+
+// Leaves on the way to a lamp: so many steps of so many metres from a leaf on; by then most crowns end.
+const int kLampSteps = 6;
+const float kLampStep = 0.8;
+const float kLampUnseen = 1e-3;  // light of which no screen shows what leaves send back
+
+// Share of the light from a direction that comes through the leaves before a leaf: those of its own tree (slot), and of
+// the others so many as stand around. uv, at: where it is; reach: metres to the lamp.
+float pastLeaves(vec3 towards, float reach, vec2 uv, float at, uint slot) {
+    float level = clamp(round(log2(kLampStep * forest.slabs / forest.height)), 0.0, log2(forest.slabs));
+    float fine = forest.slabs * exp2(-level), first = 2.0 * (forest.slabs - fine),
+          mip = log2(max(kLampStep / forest.voxel, 1.0)), step = min(kLampStep, reach / float(kLampSteps)), thick = 0.0;
+    vec3 way = vec3(toLattice(towards.xz, forest.edge) / forest.cells, towards.y / forest.height) * step;
+    ivec2 side = textureSize(slots, 0);
+    for (int i = 0; i < kLampSteps; ++i) {
+        vec3 there = vec3(uv, at) + way * (float(i) + 0.5);
+        if (!(there.z > 0.0 && there.z < 1.0)) continue;
+        float opacity = textureLod(slabs, vec3(there.xy, first + floor(there.z * fine)), mip).a;
+        bool own = texelFetch(slots, ivec2(fract(there.xy) * vec2(side)), 0).r == slot;
+        thick -= logOneMinus(min(opacity, 0.999)) * (own ? 1.0 : canopy.y);
+    }
+    return exp(-thick * step * fine / forest.height);
+}
+// Light of lamps that leaves send back, and that shines through them, as the sun's (main).
+void addLamps(TreeInView tree, vec2 uv, float at, uint slot, inout vec3 light, inout vec3 passed) {
+    vec3 toEye = normalize(-position);
+    for (int i = 0; i < lampCount(); ++i) {
+        LampHere l = lampAt(i, position);
+        if (!(max(max(l.light.r, l.light.g), l.light.b) > kLampUnseen)) continue;
+        float visible = lampVisible(i, position, vec3(0.0)), cosine = dot(toEye, l.direction);
+        float reach = lamps.lights[i].isPoint > 0.0 ? length(lamps.lights[i].place - position) : 1e6;
+        if (visible > 0.0) visible *= pastLeaves(l.direction, reach, uv, at, slot);
+        light += l.light * (visible * foliagePhase(cosine));
+        passed += l.light * (visible * tree.through * foliagePhase(-cosine));
+    }
+}
 
 void main() {
     vec2 uv = stored / forest.cells;
@@ -56,7 +96,9 @@ void main() {
         light += frame.sunLight * (tree.sun * visible);
         passed += frame.sunLight * (tree.passed * visible);
     }
+    if (LAMPS) addLamps(tree, uv, at, slot, light, passed);
     vec3 sent = leaves.rgb * light + leafThrough(leaves.rgb) * passed;
+    if (LAMPS) sent = min(sent, vec3(kBrightest));
     color = vec4(mix(sent, leaves.a * haze.rgb, haze.a), leaves.a);
     if (viewMode() == VIEW_TIERS) color.rgb = leaves.a * vec3(0.1, 0.25, 0.5);
     if (viewMode() == VIEW_DENSITY) color.rgb = leaves.a * vec3(0.25);

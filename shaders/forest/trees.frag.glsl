@@ -1,7 +1,10 @@
-// A near tree's colour, diffuse, lit by sun and sky, and by what shines through its leaves, in the haze. Light from the
-// sky comes through the same air as the volumes' does, where there are volumes; the sun's through the shadow maps.
+// A near tree's colour, diffuse, lit by sun, sky and lamps, and by what shines through its leaves, in the haze. Light
+// from the sky comes through the same air as the volumes' does, where there are volumes; the others' through the shadow
+// maps.
 #include "lib/canopy.glsl"
 #include "lib/frame.glsl"
+#include "lib/lamp_shadow.glsl"
+#include "lib/lamps.glsl"
 #include "lib/light.glsl"
 #include "lib/object_color.glsl"
 #include "lib/shadow.glsl"
@@ -30,6 +33,19 @@ vec3 skyAt(vec3 n) {
     return halvesLight(frame.groundLight * (shares.y * onGround), frame.skyLight * shares.x, n.y);
 }
 
+// What the surface sends of all lamps' light; through: of what falls on its other side. Leaves are flat: raised as
+// others are, they would leave each other's shadow.
+vec3 lampsSent(vec3 n, vec3 own, vec3 through) {
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < lampCount(); ++i) {
+        LampHere l = lampAt(i, position);
+        float facing = dot(n, l.direction);
+        vec3 lit = (facing < 0.0 ? -n : n) * (leaves > 0.0 ? 0.4 : 1.0);
+        sum += l.light * (facing < 0.0 ? through : own) * (abs(facing) * lampVisible(i, position, lit));
+    }
+    return min(sum, vec3(kBrightest));
+}
+
 void main() {
     vec4 texel = texture(image, uv);
     if (texel.a < cutoff) discard;
@@ -43,5 +59,6 @@ void main() {
         vec3 sent = facing < 0.0 ? leafThrough(own) * through : own;
         light += frame.sunLight * sent * (abs(facing) * sunPastMeshes(position, lit));
     }
+    if (LAMPS) light += lampsSent(n, own, leafThrough(own) * through);
     color = objectColor(light, n, position);
 }

@@ -21,14 +21,3 @@ LampHere lampAt(int i, vec3 at) {
     here.light = l.color * p.attenuation;
     return here;
 }
-
-// Diffuse light of all lamps on a surface at `at` that faces n.
-vec3 lampLight(vec3 at, vec3 n) {
-    vec3 sum = vec3(0.0);
-    if (!LAMPS) return sum;
-    for (int i = 0; i < lampCount(); ++i) {
-        LampHere l = lampAt(i, at);
-        sum += l.light * max(dot(n, l.direction), 0.0);
-    }
-    return sum;
-}

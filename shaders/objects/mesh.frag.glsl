@@ -1,5 +1,6 @@
-// An object's colour, diffuse, lit by sun and sky, in the haze. Faces are lit on the side that is seen.
+// An object's colour, diffuse, lit by sun, sky and lamps, in the haze. Faces are lit on the side that is seen.
 #include "lib/frame.glsl"
+#include "lib/lamp_shadow.glsl"
 #include "lib/light.glsl"
 #include "lib/object_color.glsl"
 #include "lib/shadow.glsl"
@@ -18,6 +19,8 @@ void main() {
     vec4 texel = texture(image, uv);
     if (texel.a < cutoff) discard;
     vec3 n = normalize(gl_FrontFacing ? normal : -normal);
-    vec3 light = (sunLight(n) * sunVisible(position, n) + ambientLight(n)) * texel.rgb * reflectance;
+    vec3 from = sunLight(n) * sunVisible(position, n);
+    if (LAMPS) from += lampLight(position, n, n);
+    vec3 light = (from + ambientLight(n)) * texel.rgb * reflectance;
     color = objectColor(light, n, position);
 }

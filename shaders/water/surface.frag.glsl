@@ -1,6 +1,8 @@
-// Water: what it mirrors, what is seen through it, and the sun's glint (numerics/water.h). What lies under it is dimmed
-// where it was drawn, by a factor a colour (the second output); nothing is copied.
+// Water: what it mirrors, what is seen through it, and glints of sun and lamps (numerics/water.h). What lies under it
+// is dimmed where it was drawn, by a factor a colour (the second output); nothing is copied.
 #include "lib/frame.glsl"
+#include "lib/lamp_shadow.glsl"
+#include "lib/lamps.glsl"
 #include "lib/light.glsl"
 #include "lib/scene_depth.glsl"
 #include "lib/shadow.glsl"
@@ -69,6 +71,22 @@ vec3 mirroredLight(vec3 toEye, vec3 ripple) {
         .rgb;
 }
 
+// Light of lamps that falls on the water, and what of it the surface throws to the eye.
+struct LampsHere {
+    vec3 down, glint;
+};
+LampsHere lampsOnWater(vec3 toEye, vec3 ripple) {
+    LampsHere sum = LampsHere(vec3(0.0), vec3(0.0));
+    for (int i = 0; i < lampCount(); ++i) {
+        LampHere l = lampAt(i, position);
+        if (!(l.direction.y > 0.0)) continue;
+        vec3 light = l.light * lampVisible(i, position, vec3(0.0));
+        sum.down += light * l.direction.y;
+        sum.glint += light * sunGlint(ripple.xy, ripple.z, toEye, l.direction);
+    }
+    return sum;
+}
+
 void main() {
     float distance = length(position);
     vec3 toEye = -position / distance, ripple = ripples();
@@ -79,8 +97,11 @@ void main() {
     vec3 left = waterLeft(water.extinction, waterWay(straight, depth, toEye.y), depth);
     float sun = SUN ? sunVisible(position, vec3(0.0)) * frame.sunIsUp : 0.0;
     vec3 down = frame.skyLight + (SUN ? frame.sunLight * (sun * max(frame.sunDirection.y, 0.0)) : vec3(0.0));
+    LampsHere fromLamps = lampsOnWater(toEye, ripple);
+    if (LAMPS) down += fromLamps.down;
     vec3 body = water.color * down * (1.0 - left) * (1.0 - mirror);
     if (SUN) body += frame.sunLight * (sun * sunGlint(ripple.xy, ripple.z, toEye, frame.sunDirection));
+    if (LAMPS) body += fromLamps.glint;
     float haze = hazeShare(distance);
     vec3 through = left * (1.0 - mirror);
     // What is mirrored and what is seen through are in their own haze already.

@@ -4,6 +4,7 @@
 
 #include "core/log.h"
 #include "forest/flight.h"
+#include "lamps.h"
 #include "missed.h"
 #include "objects.h"
 #include "reference/reference.h"
@@ -96,6 +97,77 @@ TEST(Texcells, GlowAgainstTheSunAsTheTruthDoesByVolumesAndByMeshes) {
         EXPECT_NEAR(volumes / truth, 1, 0.1);
         EXPECT_NEAR(meshes / truth, 1, 0.1);
     }
+}
+
+// The wood at night over black ground.
+Project woodAtNight(TreeKind kind, float meshesTo) {
+    Project p = wood(kind, meshesTo);
+    for (const char* name : {"sun", "sky", "haze"}) removeEntity(p, name);
+    p.registry.get<Terrain>(findEntity(p, "ground"))->groundColor = glm::vec3(0);
+    return p;
+}
+void putMoon(Project& p) {
+    put<Light>(p, "a-sun", {.intensity = 0});
+    put<Light>(p, "moon", {.azimuthDeg = 150, .elevationDeg = 35, .intensity = 0.2f});
+}
+double allGreenOf(const std::vector<float>& pixels) {
+    double sum = 0;
+    for (size_t i = 1; i < pixels.size(); i += 3) sum += static_cast<double>(pixels[i]);
+    return sum;
+}
+
+TEST(Texcells, AreAsBrightInLampsLightAsMeshesAndNearlyAsTheTruth) {
+    NoGlErrors errors;
+    const ViewCamera eye{{80, 10, 215}, {80, 6, 80}, 40, 0};
+    const std::pair<const char*, void (*)(Project&)> lights[] = {
+        {"a lamp before the wood",
+         [](Project& p) {
+             putLamp(p, "lamp", {80, 8, 172}, {.intensity = 20, .attenuation = 0.02f});
+         }},
+        {"a lamp over it",
+         [](Project& p) {
+             putLamp(p, "lamp", {80, 22, 140}, {.intensity = 40, .attenuation = 0.02f});
+         }},
+        {"a moon", putMoon}};
+    const std::pair<const char*, TreeKind> kinds[] = {
+        {"conifers", TreeKind::Conifer}, {"broadleaves", TreeKind::Broadleaf}, {"birches", TreeKind::Birch}};
+    for (const auto& [trees, kind] : kinds)
+        for (const auto& [light, putLight] : lights) {
+            const std::string what = std::string(trees) + ", " + light;
+            Project far = woodAtNight(kind, 0), near = woodAtNight(kind, 400);
+            putLight(far), putLight(near);
+            const double truth = allGreenOf(tracedLight(far, eye, small(), 6)), volumes = allGreenOf(drawn(far, eye)),
+                         meshes = allGreenOf(drawn(near, eye));
+            std::printf("%s: volumes %.3f of the truth, meshes %.3f\n", what.c_str(), volumes / truth, meshes / truth);
+            EXPECT_GT(truth, 10) << what;
+            EXPECT_NEAR(volumes / meshes, 1, 0.15) << what;
+            if (what == "conifers, a lamp over it")  // what is farther off on the way than crowns are wide counts not
+                expectMissed(what, std::abs(volumes / truth - 1), 0.25, 0.358);
+            else
+                EXPECT_NEAR(volumes / truth, 1, 0.25) << what;
+        }
+}
+
+TEST(Texcells, LeaveTheLightOfLampsOnTheGroundBelowThem) {
+    NoGlErrors errors;
+    const ViewCamera down{{80, 40, 80.1}, {80, 0, 80}, 30, 0};
+    Project p = woodAtNight(TreeKind::Conifer, 0);
+    p.registry.get<Terrain>(findEntity(p, "ground"))->groundColor = {0.2f, 0, 0};  // trees are not red alone
+    put<Light>(p, "lamp", {.type = LightType::Point, .intensity = 20, .attenuation = 0.02f, .castShadows = false});
+    put<Transform>(p, "lamp", {{80, 14, 80}});
+    Forest& f = *p.registry.get<Forest>(findEntity(p, "trees"));
+    f.perHectare = 100;
+    const std::vector<float> under = drawn(p, down);
+    f.perHectare = 0;
+    const std::vector<float> bare = drawn(p, down);
+    int ground = 0;
+    for (size_t i = 0; i < bare.size(); i += 3) {
+        if (under[i + 1] > 0) continue;
+        ++ground;
+        EXPECT_NEAR(under[i] / bare[i], 1, 0.01f) << i / 3;
+    }
+    EXPECT_GT(ground, 3000);
+    EXPECT_LT(ground, 18000) << "or no tree is there";
 }
 
 TEST(Texcells, AreThereWhereMeshesEndAndNowhereElse) {

@@ -1,6 +1,8 @@
 // Trees as meshes: those nearer than meshesTo, each once, with fewer triangles farther away.
 #include "forest/trees.h"
 
+#include "lamps.h"
+#include "missed.h"
 #include "reference/reference.h"
 #include "scenes.h"
 #include "world/forest_stand.h"
@@ -134,6 +136,47 @@ TEST(ForestTrees, AreLitThroughTheAirOfTheVolumes) {
     const double lit = green(60), open = green(std::numeric_limits<float>::infinity());
     std::printf("green: truth %.4f, through the air %.4f, in the open %.4f\n", truth, lit, open);
     EXPECT_LT(std::abs(lit - truth), 0.5 * std::abs(open - truth)) << "meshes without volumes know no canopy";
+}
+
+// One tree at night on black ground, with a lamp.
+Project treeAtNight(const TreeSpecies& species, const glm::dvec3& lamp) {
+    Project p = wood(std::numeric_limits<float>::infinity());
+    for (const char* name : {"sun", "sky", "haze"}) removeEntity(p, name);
+    p.registry.get<Terrain>(findEntity(p, "ground"))->groundColor = glm::vec3(0);
+    Forest& f = *p.registry.get<Forest>(findEntity(p, "trees"));
+    f.species = {species};
+    f.perHectare = 0;
+    f.placed = {{.at = {60, 60}}};
+    f.castShadows = true;
+    putLamp(p, "lamp", lamp, {.intensity = 20, .attenuation = 0.02f});
+    return p;
+}
+
+TEST(ForestTrees, AreAsBrightInLampsLightAsInTheTruth) {
+    NoGlErrors errors;
+    const ViewCamera side{{60, 4, 80}, {60, 6, 60}, 45, 0};
+    const struct {
+        const char* what;
+        glm::dvec3 at;
+    } lamps[] = {{"before it", {64, 6, 72}}, {"to a side", {70, 3, 60}}, {"behind it", {58, 5, 50}}};
+    const std::pair<const char*, TreeKind> kinds[] = {
+        {"conifer", TreeKind::Conifer}, {"broadleaf", TreeKind::Broadleaf}, {"birch", TreeKind::Birch}};
+    ViewSettings s = small();
+    s.width = 96, s.height = 96;
+    for (const auto& [kind, of] : kinds)
+        for (const auto& lamp : lamps) {
+            Project p = treeAtNight({.kind = of, .leaves = 1500}, lamp.at);
+            Renderer r(gpu(), tables());
+            const double truth = meanGreen(tracedLight(p, side, s, 16)),
+                         share = meanGreen(drawnLight(r, p, side, s)) / truth;
+            const std::string what = std::string(kind) + ", a lamp " + lamp.what;
+            std::printf("%s: %.3f of the truth\n", what.c_str(), share);
+            EXPECT_GT(truth, 1e-3) << what;
+            if (what == "conifer, a lamp behind it")  // a texel is wider than a needle
+                expectMissed(what, std::abs(share - 1), 0.15, 0.332);
+            else
+                EXPECT_NEAR(share, 1, 0.15) << what;
+        }
 }
 
 TEST(ForestTrees, TakeFewerTrianglesFarAway) {

@@ -4,26 +4,16 @@
 
 #include "fields.h"
 #include "lamps.h"
+#include "scene/scatter.h"
 #include "shared/objects.h"
 #include "techniques.h"
 
 namespace sward::test {
 namespace {
 
-const ViewCamera kOver{{10, 16, 10.01}, {10, 0, 10}, 60, 0};
-ViewSettings square() {
-    ViewSettings s;
-    s.width = 160, s.height = 160;
-    s.measure = true;
-    return s;
-}
 StaticMesh& cubeOf(Project& p) { return *p.registry.get<StaticMesh>(findEntity(p, "cube")); }
 Light& lampOf(Project& p) { return *p.registry.get<Light>(findEntity(p, "lamp")); }
-uint64_t lampDraws(const Renderer& r) {
-    for (const PassStats& pass : r.stats().passes)
-        if (pass.name == "objects/lamp-shadow") return pass.draws;
-    return 0;
-}
+uint64_t lampDraws(const Renderer& r) { return drawsOf(r, "objects/lamp-shadow"); }
 
 // Points of level ground around the cube that are seen past it from above.
 std::vector<glm::dvec2> aroundTheCube() {
@@ -33,19 +23,10 @@ std::vector<glm::dvec2> aroundTheCube() {
             if (std::max(std::abs(x - 10), std::abs(z - 10)) > 1.4) points.emplace_back(x, z);
     return points;
 }
-ThreePictures picturesOf(Renderer& r, Project& p, const ViewCamera& c, const ViewSettings& s) {
-    ThreePictures of;
-    of.drawn = drawnLight(r, p, c, s);
-    of.truth = tracedLight(p, c, s, 16);
-    cubeOf(p).castShadows = false;
-    of.open = drawnLight(r, p, c, s);
-    cubeOf(p).castShadows = true;
-    return of;
-}
 void expectAsInTheTruth(Renderer& r, Project& p, double edge) {
-    const ThreePictures of = picturesOf(r, p, kOver, square());
-    expectAsInTruth(compareShadows(of, kOver, square(), aroundTheCube(), edge, [](double, double) { return 0.0; }), 15,
-                    1000);
+    const ThreePictures of = threePictures(r, p, kOver, square(), cubeOf(p).castShadows);
+    const auto spots = groundSpots(aroundTheCube(), edge, [](double, double) { return 0.0; });
+    expectAsInTruth(compareShadows(of, kOver, square(), spots), 15, 1000);
 }
 
 TEST(LampShadows, BehindABoxItIsDarkWhereTheTruthIsDark) {
@@ -90,7 +71,7 @@ TEST(LampShadows, BeginAtTheFootOfWhatCastsThem) {
     Project p = cubeAtNight(dir.path);
     const ViewCamera behind{{10, 4, 4}, {10, 0, 8.95}, 24, 0};
     Renderer r(gpu(), tables());
-    const ThreePictures of = picturesOf(r, p, behind, square());
+    const ThreePictures of = threePictures(r, p, behind, square(), cubeOf(p).castShadows);
     // Two texels are 2 x 2 x 6.4 m / 512 = 5 cm there, and a pixel is 17 mm wide.
     const double places[][2] = {{10, 8.95}, {9.05, 8.95}, {10.95, 8.95}};
     for (const auto& [x, z] : places)
@@ -105,17 +86,8 @@ TEST(LampShadows, NothingShadesWhatLiesOpen) {
     p.registry.get<Transform>(findEntity(p, "cube"))->position = {1.2, 0, 1.2};
     Renderer r(gpu(), tables());
     for (const ViewCamera& c :
-         {ViewCamera{{10, 1.7, 3}, {10, 0, 12}, 60, 0}, ViewCamera{{10, 9, 12}, {10, 0, 12.1}, 60, 0}}) {
-        ASSERT_TRUE(r.draw(p, c, square()));
-        const std::vector<uint8_t> shaded = r.readImage();
-        cubeOf(p).castShadows = false;
-        ASSERT_TRUE(r.draw(p, c, square()));
-        const std::vector<uint8_t> open = r.readImage();
-        cubeOf(p).castShadows = true;
-        int most = 0;
-        for (size_t i = 0; i < open.size(); ++i) most = std::max(most, std::abs(open[i] - shaded[i]));
-        EXPECT_LE(most, 1);
-    }
+         {ViewCamera{{10, 1.7, 3}, {10, 0, 12}, 60, 0}, ViewCamera{{10, 9, 12}, {10, 0, 12.1}, 60, 0}})
+        EXPECT_LE(mostShaded(r, p, c, cubeOf(p).castShadows), 1);
 }
 
 TEST(LampShadows, LieOnGrassOfEveryTechniqueAndOnFlowers) {
@@ -223,7 +195,7 @@ TEST(LampShadows, EveryOneOfEightLampsThrowsItsOwn) {
                 {.intensity = 4, .attenuation = 0.1f});
     }
     Renderer r(gpu(), tables());
-    const ThreePictures of = picturesOf(r, p, kOver, square());
+    const ThreePictures of = threePictures(r, p, kOver, square(), cubeOf(p).castShadows);
     int shaded = 0;
     float off = 0;
     for (const glm::dvec2& place : aroundTheCube()) {
@@ -234,6 +206,143 @@ TEST(LampShadows, EveryOneOfEightLampsThrowsItsOwn) {
     }
     EXPECT_GT(shaded, 250);
     EXPECT_LT(off, 0.1f) << "edges included: none is of more than two lamps";
+}
+
+// Points of three faces of the cube, 0.15 m and more from its edges.
+std::vector<Spot> onTheCube(double beside) {
+    struct Face {
+        glm::dvec3 middle, right, up;
+    };
+    const Face faces[] = {
+        {{10, 1, 11}, {1, 0, 0}, {0, 1, 0}}, {{9, 1, 10}, {0, 0, 1}, {0, 1, 0}}, {{10, 2, 10}, {1, 0, 0}, {0, 0, 1}}};
+    std::vector<Spot> spots;
+    for (const auto& [middle, right, up] : faces)
+        for (double x = -0.8; x <= 0.81; x += 0.1)
+            for (double y = -0.8; y <= 0.81; y += 0.1) {
+                const glm::dvec3 at = middle + right * x + up * y;
+                spots.push_back({at, {at + right * beside, at - right * beside, at + up * beside, at - up * beside}});
+            }
+    return spots;
+}
+const ViewCamera kAside{{7, 4, 16}, {10, 1, 10.5}, 36, 0};  // sees the cube from the south, the west and above
+// A board between the lamp and the cube, as wide as this.
+void putBoard(Project& p, const glm::dvec3& at, float side) {
+    putObject(p, "board", {{.size = {side, side, 0.05f}}}, at);
+    p.registry.get<StaticMesh>(findEntity(p, "board"))->onGround = false;
+}
+StaticMesh& boardOf(Project& p) { return *p.registry.get<StaticMesh>(findEntity(p, "board")); }
+
+TEST(LampsOnObjects, ABoxIsLitAsInTheTruthAndDarkBehindAnother) {
+    NoGlErrors errors;
+    const TempDir dir;
+    Project p = cubeAtNight(dir.path);
+    Renderer r(gpu(), tables());
+    const struct {
+        const char* what;
+        glm::dvec3 at, board;
+        int dark, lit;
+    } lamps[] = {{"before it", {12, 3.5, 14}, {11, 1.9, 12.5}, 30, 250},
+                 {"near it", {9.7, 2.8, 12.2}, {9.8, 1.8, 11.6}, 30, 250},
+                 {"low, to the west", {5, 1, 11.5}, {7, 0.8, 10.9}, 8, 250},
+                 {"far and high", {16, 12, 18}, {12, 5, 13}, 15, 250}};
+    for (const auto& lamp : lamps) {
+        SCOPED_TRACE(lamp.what);
+        p.registry.get<Transform>(findEntity(p, "lamp"))->position = lamp.at;
+        putBoard(p, lamp.board, 0.7f);
+        const ThreePictures of = threePictures(r, p, kAside, square(), boardOf(p).castShadows);
+        expectAsInTruth(compareShadows(of, kAside, square(), onTheCube(0.1)), lamp.dark, lamp.lit);
+    }
+}
+
+TEST(LampsOnObjects, NoObjectShadesItsOwnLitSide) {
+    NoGlErrors errors;
+    const TempDir dir;
+    Project p = cubeAtNight(dir.path);
+    Renderer r(gpu(), tables());
+    // A ball whose middle is 1 m high.
+    putObject(p, "cube", {{.kind = SolidKind::Ball, .size = {1, 1, 1}, .at = {0, 1, 0}}}, {10, 0, 10});
+    std::vector<Spot> spots;
+    for (int i = 0; i < 24; ++i)
+        for (int k = 1; k < 16; ++k) {
+            const auto on = [&](double dx, double dy) {
+                const double turn = (i + dx) * 6.283185307 / 24, rise = (k + dy) * 3.141592654 / 16;
+                return glm::dvec3(10 + std::sin(rise) * std::cos(turn), 1 + std::cos(rise),
+                                  10 + std::sin(rise) * std::sin(turn));
+            };
+            const glm::dvec3 at = on(0, 0);
+            if (glm::dot(glm::normalize(at - glm::dvec3(10, 1, 10)), glm::normalize(kAside.eye - at)) > 0.3)
+                spots.push_back({at, {on(0.3, 0), on(-0.3, 0), on(0, 0.3), on(0, -0.3)}});
+        }
+    for (const glm::dvec3& at : {glm::dvec3(12, 3.5, 14), glm::dvec3(8, 2, 11.5), glm::dvec3(5, 1, 11.5),
+                                 glm::dvec3(2, 14, 19), glm::dvec3(10.5, 2.3, 10)}) {
+        SCOPED_TRACE(at.x);
+        p.registry.get<Transform>(findEntity(p, "lamp"))->position = at;
+        const ThreePictures of = threePictures(r, p, kAside, square(), cubeOf(p).castShadows);
+        expectAsInTruth(compareShadows(of, kAside, square(), spots), -1, 20);
+    }
+}
+
+// Where a ray meets a face of the cube of maps in a corner, texels slant to what faces it.
+TEST(LampsOnObjects, ABoardInACornerOfAMapIsLitEvenly) {
+    NoGlErrors errors;
+    const TempDir dir;
+    Project p = cubeAtNight(dir.path);
+    Renderer r(gpu(), tables());
+    const glm::dvec3 middle(10, 3, 10), n = glm::normalize(glm::dvec3(1, 1, 1)),
+                                        right = glm::normalize(glm::dvec3(1, 0, -1)), up = glm::cross(n, right);
+    putObject(p, "cube", {{.size = {2, 2, 0.02f}, .turnDeg = {-35.2644f, 45, 0}}}, middle);
+    cubeOf(p).onGround = false;
+    std::vector<Spot> spots;
+    for (double x = -0.8; x <= 0.81; x += 0.1)
+        for (double y = 0.2; y <= 1.81; y += 0.1) {
+            const glm::dvec3 at = middle + right * x + up * y;
+            spots.push_back({at, {at, at, at, at}});
+        }
+    const ViewCamera before{middle + n * 4.0 + right, middle + up, 40, 0};
+    for (const double away : {1.0, 3.0, 9.0})
+        for (const double aside : {0.0, 0.5}) {
+            p.registry.get<Transform>(findEntity(p, "lamp"))->position = middle + up + (n + right * aside) * away;
+            const ThreePictures of = threePictures(r, p, before, square(), cubeOf(p).castShadows);
+            expectAsInTruth(compareShadows(of, before, square(), spots), -1, 280);
+        }
+}
+
+TEST(LampsOnObjects, ADirectionalLightBesideTheSunLightsThemAsInTheTruth) {
+    NoGlErrors errors;
+    const TempDir dir;
+    Project p = cubeAtNight(dir.path);
+    removeEntity(p, "lamp");
+    put<Light>(p, "a-sun", {.intensity = 0});
+    put<Light>(p, "moon", {.azimuthDeg = 155, .elevationDeg = 30, .intensity = 0.2f});
+    putBoard(p, {10.7, 1.5, 12.6}, 1);
+    Renderer r(gpu(), tables());
+    const ThreePictures of = threePictures(r, p, kAside, square(), boardOf(p).castShadows);
+    expectAsInTruth(compareShadows(of, kAside, square(), onTheCube(0.2)), 15, 250);
+}
+
+TEST(LampsOnObjects, ScatteredOnesAndLampsThatCastNoShadows) {
+    NoGlErrors errors;
+    const TempDir dir;
+    Project p = cubeAtNight(dir.path);
+    p.registry.get<Terrain>(findEntity(p, "ground"))->groundColor = glm::vec3(0);
+    Renderer r(gpu(), tables());
+    const auto expectTruth = [&](const char* what) {
+        const auto green = [](const std::vector<float>& pixels) {
+            double sum = 0;
+            for (size_t i = 1; i < pixels.size(); i += 3) sum += static_cast<double>(pixels[i]);
+            return sum;
+        };
+        const double truth = green(tracedLight(p, kAside, square(), 16));
+        EXPECT_GT(truth, 10) << what;
+        EXPECT_NEAR(green(drawnLight(r, p, kAside, square())) / truth, 1, 0.05) << what;
+    };
+    lampOf(p).castShadows = false;
+    expectTruth("a lamp that casts none");
+    removeEntity(p, "cube");
+    put<Scatter>(p, "cubes", {.meshes = {{"cube", "cube.glb"}}, .perHectare = 500, .distance = 3, .size = {0.3, 0.5}});
+    expectTruth("scattered, without shadows");
+    lampOf(p).castShadows = true;
+    expectTruth("scattered");
 }
 
 }  // namespace

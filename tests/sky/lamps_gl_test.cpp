@@ -1,4 +1,6 @@
 #include "fields.h"
+#include "objects.h"
+#include "scene/forest.h"
 #include "scenes.h"
 #include "shared/light.h"
 #include "techniques.h"
@@ -107,6 +109,26 @@ TEST(Lamps, AreFiniteInsideABladeOnEveryAxisAndBelowTheHorizonAtTheirBrightest) 
             light.azimuthDeg = azimuth;
             put(p, "z-lamp", light);
             expectFinite("directional light");
+        }
+}
+
+TEST(Lamps, AreFiniteOnObjectsTreesAndWaterAtTheirBrightest) {
+    NoGlErrors errors;
+    Renderer r(gpu(), tables());
+    const TempDir dir;
+    Project p = cubeScene(dir.path);
+    put<Water>(p, "lake", {.level = 0.5f});
+    put<Forest>(
+        p, "trees",
+        {.species = {{.leaves = 40}}, .perHectare = 900, .distance = 2, .tileSize = 8, .meshesTo = 14, .voxel = 1});
+    Light& light = put<Light>(p, "z-lamp", lantern());
+    light.intensity = 65504, light.color = glm::vec3(65504);
+    for (const float beta : {0.0f, 1e6f})
+        for (const glm::dvec3& at : {glm::dvec3(10, 1, 10), glm::dvec3(11, 1.5, 10), glm::dvec3(9, 0.5, 14)}) {
+            light.attenuation = beta;
+            put(p, "z-lamp", Transform{at});
+            ASSERT_TRUE(r.draw(p, {{13, 4, 18}, {10, 1, 10}, 60, 0}, small()));
+            for (float v : r.readLinear()) ASSERT_TRUE(std::isfinite(v) && v >= 0) << at.x << ' ' << v;
         }
 }
 

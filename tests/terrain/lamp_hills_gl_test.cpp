@@ -8,13 +8,6 @@
 namespace sward::test {
 namespace {
 
-const ViewCamera kOver{{10, 16, 10.01}, {10, 0, 10}, 60, 0};
-ViewSettings square() {
-    ViewSettings s;
-    s.width = 160, s.height = 160;
-    s.measure = true;
-    return s;
-}
 // Level ground of 20 x 20 m with a lamp, and a height at each place; ground shades.
 template <class F>
 Project hillsAtNight(const glm::dvec3& lamp, F height) {
@@ -35,24 +28,14 @@ double bump(double x, double z, double high, double wide) {
     return high * std::exp(-((x - 10) * (x - 10) + (z - 10) * (z - 10)) / (wide * wide));
 }
 Terrain& groundOf(Project& p) { return *p.registry.get<Terrain>(findEntity(p, "ground")); }
-uint64_t walks(const Renderer& r) {
-    for (const PassStats& pass : r.stats().passes)
-        if (pass.name == "terrain/lamp-hills") return pass.draws;
-    return 0;
-}
 void expectAsInTheTruth(Project& p) {
     Renderer r(gpu(), tables());
-    ThreePictures of;
-    of.drawn = drawnLight(r, p, kOver, square());
-    of.truth = tracedLight(p, kOver, square(), 16);
-    groundOf(p).castShadows = false;
-    of.open = drawnLight(r, p, kOver, square());
-    groundOf(p).castShadows = true;
+    const ThreePictures of = threePictures(r, p, kOver, square(), groundOf(p).castShadows);
     std::vector<glm::dvec2> points;
     for (double x = 3; x <= 17; x += 0.25)
         for (double z = 3; z <= 17; z += 0.25) points.emplace_back(x, z);
     const auto height = [&](double x, double z) { return terrainHeight(groundOf(p), x, z); };
-    expectAsInTruth(compareShadows(of, kOver, square(), points, 0.25, height), 40, 800);
+    expectAsInTruth(compareShadows(of, kOver, square(), groundSpots(points, 0.25, height)), 40, 800);
 }
 
 TEST(LampHills, BehindAHillItIsDarkWhereTheTruthIsDark) {
@@ -79,16 +62,8 @@ TEST(LampHills, OfADirectionalLightAreThoseOfTheTruth) {
 void expectOpen(Project p) {
     for (const ViewCamera& c : {kOver, ViewCamera{{10, 1.7, 3}, {10, 0, 12}, 60, 0}}) {
         Renderer r(gpu(), tables());
-        ASSERT_TRUE(r.draw(p, c, square()));
         EXPECT_TRUE(has(sceneFeatures(p.registry, tables()), Feature::LampHills));
-        const std::vector<uint8_t> shaded = r.readImage();
-        groundOf(p).castShadows = false;
-        ASSERT_TRUE(r.draw(p, c, square()));
-        const std::vector<uint8_t> open = r.readImage();
-        groundOf(p).castShadows = true;
-        int most = 0;
-        for (size_t i = 0; i < open.size(); ++i) most = std::max(most, std::abs(open[i] - shaded[i]));
-        EXPECT_LE(most, 1);
+        EXPECT_LE(mostShaded(r, p, c, groundOf(p).castShadows), 1);
     }
 }
 TEST(LampHills, LevelGroundAndSlopesThatFaceTheLampAreAsWithoutShadows) {
@@ -105,7 +80,7 @@ TEST(LampHills, AreWalkedAnewOnlyWhereLampOrGroundChanged) {
     Renderer r(gpu(), tables());
     const auto walked = [&](const ViewCamera& c) {
         EXPECT_TRUE(r.draw(p, c, square()));
-        return walks(r);
+        return drawsOf(r, "terrain/lamp-hills");
     };
     EXPECT_EQ(walked(kOver), 1u);
     ViewCamera moved = kOver;

@@ -2,6 +2,7 @@
 #include "core/numerics.h"
 #include "fields.h"
 #include "gl_calls.h"
+#include "lamps.h"
 #include "objects.h"
 #include "reference/reference.h"
 #include "techniques.h"
@@ -120,6 +121,60 @@ TEST(Water, RippledWaterIsAsBrightAsTheTruth) {
     for (size_t i = static_cast<size_t>(kHeight * 3 / 4) * kWidth * 3; i < picture.size(); ++i)
         a += static_cast<double>(picture[i]), b += static_cast<double>(truth[i]);
     EXPECT_NEAR(a / b, 1, 0.1);
+}
+
+// The lake at night over black ground, with a lamp beside the cube.
+Project lakeAtNight(const TempDir& folder) {
+    Project p = lake(folder);
+    for (const char* name : {"sun", "sky"}) removeEntity(p, name);
+    p.registry.get<Terrain>(findEntity(p, "ground"))->groundColor = glm::vec3(0);
+    p.registry.get<Water>(findEntity(p, "lake"))->clarity = 0.4f;
+    putLamp(p, "lamp", {11, 2.5, 14}, {.intensity = 8, .attenuation = 0.1f});
+    return p;
+}
+double allGreen(const std::vector<float>& image) {
+    double sum = 0;
+    for (size_t i = 1; i < image.size(); i += 3) sum += static_cast<double>(image[i]);
+    return sum;
+}
+
+TEST(Water, ALampGlintsAsInTheTruth) {
+    NoGlErrors errors;
+    const TempDir folder;
+    const ViewCamera across{{11, 2.2, 20}, {11, 0.5, 15}, 50, 0};
+    for (const bool windy : {false, true}) {
+        Project p = lakeAtNight(folder);
+        if (windy) put<Wind>(p, "wind");
+        const std::vector<float> picture = drawn(p, across), truth = traced(p, across, 256).color;
+        const float most = *std::max_element(picture.begin(), picture.end()),
+                    mostTrue = *std::max_element(truth.begin(), truth.end());
+        std::printf("%s: %.4f of the truth's light; the brightest pixel %.4f of the truth's\n",
+                    windy ? "ripples" : "still", allGreen(picture) / allGreen(truth),
+                    static_cast<double>(most / mostTrue));
+        EXPECT_GT(mostTrue, 100) << "the glint";
+        EXPECT_NEAR(most / mostTrue, 1, 0.1f);
+        EXPECT_NEAR(allGreen(picture) / allGreen(truth), 1, 0.1);
+    }
+}
+
+TEST(Water, ALampLightsItAndABoxShadesThatAsInTheTruth) {
+    NoGlErrors errors;
+    const TempDir folder;
+    Project p = lakeAtNight(folder);
+    const ViewCamera over{{15, 14, 12.01}, {15, 0, 12}, 50, 0};
+    const std::vector<float> picture = drawn(p, over), truth = traced(p, over, 64).color;
+    // South of the cube, and north-east of it, where it hides the lamp.
+    const auto at = [&](const std::vector<float>& image, const glm::dvec3& place) {
+        ViewSettings s = settings();
+        return greenAt(image, over, s, place);
+    };
+    for (const glm::dvec3& lit : {glm::dvec3(15, 0.5, 15), glm::dvec3(12, 0.5, 11), glm::dvec3(18, 0.5, 15)}) {
+        EXPECT_GT(at(truth, lit), 0.003f) << lit.x;
+        EXPECT_NEAR(at(picture, lit) / at(truth, lit), 1, 0.1f) << lit.x;
+    }
+    const glm::dvec3 dark(17, 0.5, 10.6);
+    EXPECT_LT(at(truth, dark), 1e-4f);
+    EXPECT_LT(at(picture, dark), 0.02f * at(picture, {18, 0.5, 15}));
 }
 
 TEST(Water, DeeperWaterShowsLessOfItsGround) {
