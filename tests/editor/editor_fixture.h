@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "editor/app/app.h"
@@ -46,6 +48,15 @@ class EditorFixture : public testing::Test {
     }
 
     void ok(const Status& status) { EXPECT_TRUE(status) << status.error().text(); }
+    // Draws frames until it is so, for a minute at most: what runs beside is as slow as the machine is busy.
+    template <class Done>
+    void waitUntil(Done done) {
+        const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+        while (!done() && std::chrono::steady_clock::now() < end) {
+            ok(ui->wait(1));
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+    }
     std::string get(const std::string& label) {
         const Result<std::string> value = ui->get(label);
         return value ? *value : "error: " + value.error().text();

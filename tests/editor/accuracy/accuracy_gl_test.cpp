@@ -150,7 +150,7 @@ TEST_F(EditorAccuracy, APointOfThePlotIsAdoptedByAClickAndAFailedMeasurementSays
     setenv("XDG_STATE_HOME", (dir / "state").c_str(), 1);
     app->accuracy.program = "/bin/false";
     ok(ui->click("Accuracy/Measure"));
-    for (int i = 0; i < 2000 && measuring(app->accuracy); ++i) ok(ui->wait(1));
+    waitUntil([&] { return !measuring(app->accuracy); });
     EXPECT_FALSE(measuring(app->accuracy));
     EXPECT_NE(app->accuracy.sweep.error.find("exit code 1"), std::string::npos) << app->accuracy.sweep.error;
     EXPECT_FALSE(app->accuracy.sweep.run);
@@ -195,7 +195,7 @@ TEST_F(EditorAccuracy, AFitThatIsStoppedLeavesTheBestSoFarToBeAdopted) {
     ok(ui->set("Accuracy/Search for", "1"));
     ok(ui->click("Accuracy/Fit to budget"));
     const std::filesystem::path best = app->accuracy.fit.folder / "fit.so-far";
-    for (int i = 0; i < 2000 && !std::filesystem::exists(best); ++i) ok(ui->wait(1));
+    waitUntil([&] { return std::filesystem::exists(best); });
     ok(ui->click("Accuracy/Stop fit"));
     EXPECT_FALSE(measuring(app->accuracy));
     ASSERT_TRUE(app->accuracy.fit.result);
@@ -216,7 +216,7 @@ TEST_F(EditorAccuracy, StopEndsTheProgramThatMeasuresAndDropsItsCopy) {
         std::filesystem::remove(dir / "measures.pid");
         ok(ui->click(start));
         ASSERT_TRUE(measuring(app->accuracy)) << start;
-        for (int i = 0; i < 2000 && !std::filesystem::exists(dir / "measures.pid"); ++i) ok(ui->wait(1));
+        waitUntil([&] { return std::filesystem::exists(dir / "measures.pid"); });
         const std::filesystem::path copy =
             app->accuracy.sweep.copy.empty() ? app->accuracy.fit.copy : app->accuracy.sweep.copy;
         EXPECT_TRUE(std::filesystem::exists(copy / "project.json")) << "it measures a copy";

@@ -40,7 +40,7 @@ class EffectRunEditor : public EditorFixture {
     }
     void measure() {
         ok(ui->click("Effects/Measure"));
-        for (int i = 0; i < 2000 && (app->effects.running() || app->effects.effects.empty()); ++i) ok(ui->wait(1));
+        waitUntil([&] { return !app->effects.running() && !app->effects.effects.empty(); });
         ok(ui->wait(3));
     }
 };
@@ -79,7 +79,7 @@ TEST_F(EffectRunEditor, ItMeasuresTheShownViewAtTheViewportsSizeAndSaysWhyItFail
     EXPECT_LE(size.x, app->hand.rect.w);
     app->effects.program = "/bin/false";
     ok(ui->click("Effects/Measure"));
-    for (int i = 0; i < 2000 && app->effects.running(); ++i) ok(ui->wait(1));
+    waitUntil([&] { return !app->effects.running(); });
     EXPECT_NE(app->effects.error.find("exit code 1"), std::string::npos) << app->effects.error;
     EXPECT_TRUE(app->effects.effects.empty());
 }

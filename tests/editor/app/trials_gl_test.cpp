@@ -79,7 +79,7 @@ TEST_F(EditorUi, UndoWhileOcclusionIsBakedLeavesThePresentScene) {
     ok(ui->click("Menu/Bake/Ambient Occlusion"));
     ASSERT_TRUE(app->background.occlusion);
     ok(ui->key("ctrl+z"));
-    for (int i = 0; i < 3000 && app->background.occlusion; ++i) ok(ui->wait(1));
+    waitUntil([&] { return !app->background.occlusion; });
     EXPECT_FALSE(app->background.occlusion);
     EXPECT_NE(field("sun.Light.elevationDeg"), "20");
     EXPECT_TRUE(doc.canUndo()) << "the sun does not move occlusion: the map came as one step";

@@ -18,7 +18,7 @@ TEST_F(EditorUi, AmbientOcclusionIsBakedBesideTheEditorAndCanBeCancelled) {
     EXPECT_NE(app->messages.notice.find("cancelled"), std::string::npos);
     app->messages.notice.clear();
     ok(ui->click("Menu/Bake/Ambient Occlusion"));
-    for (int i = 0; i < 3000 && app->background.occlusion; ++i) ok(ui->wait(1));
+    waitUntil([&] { return !app->background.occlusion; });
     EXPECT_TRUE(baked());
     EXPECT_FALSE(ui->exists("Status/Baking"));
     ok(ui->key("ctrl+z"));
