@@ -27,7 +27,7 @@ class LayersBeside : public testing::Test {
         map("ground.Terrain.height") = hills;
     }
     static Map uniform(float value) {
-        constexpr int kSide = 4096;
+        constexpr int kSide = 2048;
         Map m({kSide, kSide, 1, PixelType::U16});
         for (int y = 0; y < kTileSize; ++y)
             for (int x = 0; x < kTileSize; ++x) m.set(x, y, 0, value);

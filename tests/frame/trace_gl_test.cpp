@@ -38,9 +38,9 @@ void expectSame(const Trace& a, const Trace& b, const std::string& what) {
 TEST(Trace, AddingAndRemovingEachComponentLeavesNothing) {
     NoGlErrors errors;
     Renderer renderer(gpu(), tables());
+    Project p = everything();
+    const Trace before = traceOf(renderer, p);
     for (const ComponentRow& row : tables().components) {
-        Project p = everything();
-        const Trace before = traceOf(renderer, p);
         const Entity e = *addEntity(p, "aaa-added");
         row.assign(p.registry, e, nullptr);
         traceOf(renderer, p);

@@ -3,6 +3,7 @@
 
 #include "frame/renderer.h"
 #include "project/project_files.h"
+#include "scenes.h"
 #include "support.h"
 #include "techniques.h"
 #include "world/view_camera.h"
@@ -13,13 +14,10 @@ namespace {
 class ViewParts : public testing::Test {
   protected:
     void SetUp() override {
-        auto made = makeHeadlessGpu();
-        ASSERT_TRUE(made) << made.error().text();
-        gpu = std::move(*made);
         auto opened = newProject(dir / "lawn", tables().components);
         ASSERT_TRUE(opened) << opened.error().text();
         project = std::make_unique<Project>(std::move(*opened));
-        renderer = std::make_unique<Renderer>(*gpu, tables());
+        renderer = std::make_unique<Renderer>(test::gpu(), tables());
     }
     std::vector<uint8_t> draw(const ViewSettings& settings) {
         const Status drawn = renderer->draw(*project, viewOf(*findCamera(*project, "")), settings);
@@ -28,7 +26,7 @@ class ViewParts : public testing::Test {
     }
 
     test::TempDir dir;
-    std::unique_ptr<Gpu> gpu;
+    test::NoGlErrors errors;
     std::unique_ptr<Project> project;
     std::unique_ptr<Renderer> renderer;
 };
@@ -51,7 +49,6 @@ TEST_F(ViewParts, PartsSideBySideEqualTheWhole) {
             }
     }
     EXPECT_LT(difference / static_cast<double>(expected.size()), 0.3);  // edges that round to another sample
-    EXPECT_EQ(gpu->errors, 0) << gpu->lastError;
 }
 
 // A multisample texture of one sample may be one of four.
@@ -66,13 +63,12 @@ TEST_F(ViewParts, OneSampleTakesTheMemoryOfOneAndShowsTheSameDepthsAndBrush) {
     const std::vector<uint8_t> four = draw(s);
     s.msaa = 1;
     EXPECT_LT(distance(draw(s), four), 6);
-    EXPECT_LE(gpu->ledger["frame/targets"], 160 * 96 * (8 + 8 + 4));
+    EXPECT_LE(test::gpu().ledger["frame/targets"], 160 * 96 * (8 + 8 + 4));
     s.mode = ViewMode::Final;
     const std::vector<uint8_t> plain = draw(s);
     const Camera& c = *findCamera(*project, "");
     s.decal = {c.target.x, c.target.z, 3, 0.5f};
     EXPECT_GT(distance(draw(s), plain), 1) << "the brush is seen on the ground";
-    EXPECT_EQ(gpu->errors, 0) << gpu->lastError;
 }
 
 TEST_F(ViewParts, AShareOfTheBladesIsDrawnAndCoversAboutAsMuch) {

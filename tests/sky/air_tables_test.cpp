@@ -165,14 +165,16 @@ TEST(AirTables, DaylightAndDuskAreAsBrightAsMeasured) {
 
 TEST(AirTables, AreFiniteAndNotNegativeForEverySunAirAndHaze) {
     for (const double sun : {90.0, 45.0, 0.5, 0.0, -0.3, -4.0, -18.0, -90.0})
-        for (const float turbidity : {1.0f, 3.0f, 12.0f})
+        for (const float turbidity : {1.0f, 3.0f, 12.0f}) {
+            AirTables t;  // haze makes some of them anew
             for (const float haze : {0.0f, 1e-3f, 40.0f}) {
-                const AirTables t = airFor(sun, turbidity, haze);
+                updateAir(t, turbidity, sunAt(sun).y, haze);
                 for (const AirTable* table : {&t.columns, &t.scattered, &t.sky, &t.between})
                     for (const glm::vec3& v : table->values)
                         for (int k = 0; k < 3; ++k)
                             ASSERT_TRUE(v[k] >= 0 && v[k] < 1e5f) << sun << " " << turbidity << " " << haze;
             }
+        }
 }
 
 // Columns of rays that sink are put together from two that rise.
@@ -191,20 +193,24 @@ TEST(AirTables, LightFromAboveComesThroughAsAlongTheRayItself) {
 
 // What the air fades into is what stands above it: else a line lies along the horizon.
 TEST(AirTables, FarAirIsTheHorizonAndHazeIsTheHorizonsColour) {
-    for (const double sun : {60.0, 20.0, 2.0})
-        for (const float turbidity : {1.2f, 3.0f})
+    for (const double sun : {60.0, 20.0, 2.0}) {
+        const AirTables dull = airFor(sun, 3);
+        for (const float turbidity : {1.2f, 3.0f}) {
+            const AirTables clear = airFor(sun, turbidity), hazy = airFor(sun, turbidity, 0.01f);
             for (int i = 0; i <= 12; ++i) {
                 const double a = i * kPiD / 12;
                 const glm::vec2 way(std::cos(a), std::sin(a));
-                const glm::vec3 horizon = skyOf(airFor(sun, turbidity), sunAt(sun), {way.x, 0, way.y});
-                const glm::vec3 thick = airOver(airFor(sun, turbidity, 0.01f), sunAt(sun), way, 30000);
-                const glm::vec3 far = airOver(airFor(sun, 3, 0), sunAt(sun), way, f32::kAirFar),
-                                above = skyOf(airFor(sun, 3), sunAt(sun), {way.x, 0, way.y});
+                const glm::vec3 horizon = skyOf(clear, sunAt(sun), {way.x, 0, way.y}),
+                                thick = airOver(hazy, sunAt(sun), way, 30000),
+                                far = airOver(dull, sunAt(sun), way, f32::kAirFar),
+                                above = skyOf(dull, sunAt(sun), {way.x, 0, way.y});
                 for (int k = 0; k < 3; ++k) {
                     EXPECT_NEAR(thick[k] / horizon[k], 1, 0.05) << sun << " " << turbidity << " " << i;
                     EXPECT_NEAR(far[k] / above[k], 1, 0.05) << sun << " " << i;
                 }
             }
+        }
+    }
 }
 
 TEST(AirTables, AreMadeAnewOnlyWhereTheyChange) {
