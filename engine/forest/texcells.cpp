@@ -289,7 +289,7 @@ void drawShade(DrawContext& ctx) {
     if (ctx.settings.mode != ViewMode::Final || ctx.own<TexcellsState>().volumes.empty() || !ctx.use()) return;
     if (!view.nodes.id()) view.nodes = makeBuffer(ctx.gpu, kOwner, NODES_PER_DRAW * sizeof(TerrainNode), nullptr);
     glEnable(GL_BLEND);
-    glBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
+    glBlendFuncSeparate(GL_ONE, GL_SRC1_COLOR, GL_ZERO, GL_ONE);
     glDepthMask(GL_FALSE);
     ctx.pass->draws += drawNodes(ctx.shared.groundMesh, ctx.shared.groundMesh.nodes, view.nodes);
     glDepthMask(GL_TRUE);

@@ -98,6 +98,29 @@ TEST(Texcells, GlowAgainstTheSunAsTheTruthDoesByVolumesAndByMeshes) {
     }
 }
 
+// Black ground beside a wood, seen from above in thick haze: all that is seen of it is the haze, shaded or not.
+TEST(Texcells, ShadeTheGroundAndNotTheHazeBeforeIt) {
+    NoGlErrors errors;
+    const auto strip = [](float perHectare, const glm::vec3& soil) {
+        Project p = wood(TreeKind::Conifer, 0, perHectare);
+        p.registry.get<Fog>(findEntity(p, "haze"))->visibility = 150;
+        p.registry.get<Terrain>(findEntity(p, "ground"))->groundColor = soil;
+        Map m({16, 16, 1, PixelType::U16});
+        for (int z = 0; z < 16; ++z)
+            for (int x = 0; x < 16; ++x) m.set(x, z, 0, z < 8 ? 1.0f : 0.0f);
+        p.registry.get<Forest>(findEntity(p, "trees"))->density = field(m, "maps/trees.png");
+        return drawn(p, {{80, 90, 92}, {80, 0, 92.001}, 4, 0});
+    };
+    const auto off = [](const std::vector<float>& a, const std::vector<float>& b) {
+        float most = 0;
+        for (size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
+        return most;
+    };
+    EXPECT_GT(off(strip(400, {0.5f, 0.5f, 0.5f}), strip(0, {0.5f, 0.5f, 0.5f})), 0.01f)
+        << "the place lies in the shade";
+    EXPECT_LT(off(strip(400, {0, 0, 0}), strip(0, {0, 0, 0})), 0.002f);
+}
+
 TEST(Texcells, AreThereWhereMeshesEndAndNowhereElse) {
     NoGlErrors errors;
     const float inf = std::numeric_limits<float>::infinity();
