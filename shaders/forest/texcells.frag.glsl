@@ -1,9 +1,10 @@
-// What a slice shows of the trees in its tile: leaves lit by sun and sky through the air above and around them, and by
-// what shines through them, in the haze. Each tree stands on the ground at its own foot, whatever the slice's plane.
+// What a slice shows of the trees in its tile: leaves lit by sun and sky through the air above and around them, by each
+// other, and by what shines through them, in the haze. Each tree stands on the ground at its own foot, whatever the slice's plane.
 #include "lib/canopy.glsl"
 #include "lib/frame.glsl"
 #include "lib/shadow.glsl"
 #include "numerics/correction.h"
+#include "numerics/forest.h"
 #include "numerics/leaf.h"
 #include "shared/bindings.h"
 #include "shared/forest.h"
@@ -46,16 +47,23 @@ void main() {
     // The stored air is full of trees; where fewer stand around, light comes through so much less of it.
     vec4 shares = max(lightShares(uv, at), vec4(LEAST_LIGHT));
     vec2 around = pow(shares.gb, canopy.yy);
+    around.x = oddsTimes(around.x, tree.skyward);
     vec3 below = frame.groundLight * (around.y * pow(max(forest.floor, LEAST_LIGHT), canopy.y)),
          above = frame.skyLight * around.x;
-    vec3 light = mix(below, above, tree.sky), passed = tree.through * mix(above, below, tree.sky);
+    vec3 sky = above * tree.facing, sun = vec3(0.0);
+    vec3 light = mix(below, sky, tree.sky), passed = tree.through * mix(sky, below, tree.sky);
     if (SUN) {
         // What its own crown takes is taken wherever the tree stands.
         float visible = shares.a * pow(min(shares.r / shares.a, 1.0), canopy.x);
+        visible = oddsTimes(visible, tree.sunward);
         if (TERRAIN_SHADOWS && frame.sunIsUp > 0.0) visible *= sunPastHills(position);
-        light += frame.sunLight * (tree.sun * visible);
-        passed += frame.sunLight * (tree.passed * visible);
+        sun = frame.sunLight * visible;
+        light += sun * tree.sun;
+        passed += sun * tree.passed;
     }
+    vec3 others = lightFromLeaves(vec3(tree.red, tree.green, tree.blue), sun, above, below, dot(around, vec2(0.5)));
+    light += others;
+    passed += tree.through * others;
     vec3 sent = leaves.rgb * light + leafThrough(leaves.rgb) * passed;
     color = vec4(mix(sent, leaves.a * haze.rgb, haze.a), leaves.a);
     if (viewMode() == VIEW_TIERS) color.rgb = leaves.a * vec3(0.1, 0.25, 0.5);
