@@ -37,7 +37,7 @@ glm::vec3 leafColor(const Mesh& mesh) {
         part.parts = {mesh.parts[i]};
         spreadPoints(part, glm::dmat3(1), 1e9, [&](const glm::dvec3&, const glm::vec3& color, double area) {
             // A trace of all else stands for trees without leaves.
-            const double counts = area * (static_cast<double>(leaves[i]) + 1e-6);
+            const double counts = area * (leaves[i] > 0.5f ? static_cast<double>(leaves[i]) : 1e-6);
             sum += counts * glm::dvec3(color), all += counts;
         });
     }
