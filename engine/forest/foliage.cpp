@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numerics.h"
+#include "forest/volume_bake.h"
+
 namespace sward {
 namespace {
 
@@ -24,6 +27,26 @@ struct Between {
 };
 
 }  // namespace
+
+glm::vec3 leafColor(const Mesh& mesh) {
+    const std::vector<float> leaves = leafParts(mesh);
+    Mesh part = mesh;
+    glm::dvec3 sum(0);
+    double all = 0;
+    for (size_t i = 0; i < mesh.parts.size(); ++i) {
+        part.parts = {mesh.parts[i]};
+        spreadPoints(part, glm::dmat3(1), 1e9, [&](const glm::dvec3&, const glm::vec3& color, double area) {
+            // A trace of all else stands for trees without leaves.
+            const double counts = area * (leaves[i] > 0.5f ? static_cast<double>(leaves[i]) : 1e-6);
+            sum += counts * glm::dvec3(color), all += counts;
+        });
+    }
+    return all > 0 ? glm::vec3(sum / all) : glm::vec3(0);
+}
+
+glm::vec3 scatterOf(const glm::vec3& color, float translucency) {
+    return glm::min(color + translucency * f32::leafThrough(color), glm::vec3(0.98f));
+}
 
 FoliageTable::FoliageTable(const Facing& facing, const glm::vec3& sun) {
     const float across = glm::length(glm::vec2(sun.x, sun.z));

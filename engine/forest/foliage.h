@@ -14,6 +14,12 @@ struct FoliageLook {
     float passed = 0;  // likewise of what falls on the sides that are not seen: what would shine through (passedTo)
     float sky = 1;     // share of the light from all around that they take from above; from below the rest
 };
+// Mean reflectance of a mesh's leaves, by area; of one that has none, of all that it has; black of one without area.
+glm::vec3 leafColor(const Mesh& mesh);
+// Share of the light that falls on leaves of a reflectance that they send on, to both sides. translucency: what shines
+// through them, as a share of what they reflect.
+glm::vec3 scatterOf(const glm::vec3& color, float translucency);
+
 class FoliageTable {
   public:
     // sun: unit, towards it.

@@ -20,6 +20,7 @@ struct TreeAir {
     double height = 0;              // metres
     std::vector<float> extinction;  // x fastest, then z, then upwards; x and z from -side / 2 * part on
     Facing facing = evenFacing();
+    float litFacing = 1;  // leaf_depth.h
 };
 TreeAir treeAir(const Mesh& mesh);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "core/log.h"
+#include "forest/foliage.h"
+#include "mesh/facing.h"
 #include "world/placement.h"
 
 namespace sward {
@@ -27,11 +29,12 @@ void stand(ForestHere& h, const Ground& ground) {
 }
 
 void grow(ForestHere& h, const Project& p) {
-    h.meshes.clear();
+    h.meshes.clear(), h.colors.clear(), h.leaves.clear();
     for (const TreeSpecies& s : h.rule.species) {
         Result<Mesh> mesh = stands(s) ? treeMesh(p.dir, s) : Mesh{};
         if (!mesh) logWarning(mesh.error().text() + "; its trees are not drawn");
         h.meshes.push_back(mesh ? std::move(*mesh) : Mesh{});
+        h.colors.push_back(leafColor(h.meshes.back())), h.leaves.push_back(leafPart(h.meshes.back()));
     }
     const ForestTiles& t = h.stand->tiles;
     if (t.placed < 0.9 * t.asked)
@@ -49,6 +52,8 @@ void update(ForestHere& h, const Project& p, const Ground& ground, const Forest&
     if (!still) stand(h, ground), h.stood = ++times;
     if (!grown) grow(h, p), h.grown = ++times;
     h.files = std::move(files);
+    h.scatter.clear();
+    for (size_t i = 0; i < h.meshes.size(); ++i) h.scatter.push_back(scatterOf(h.colors[i], f.species[i].translucency));
 }
 
 void follow(DrawContext& ctx) {

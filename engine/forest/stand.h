@@ -24,6 +24,13 @@ struct ForestHere {
     std::vector<std::string> files;  // versions of species' files
     std::shared_ptr<const StandingForest> stand;
     std::vector<Mesh> meshes;  // by species; empty: none stands, or its file cannot be read
+    // By species: mean reflectance of leaves; share of its area that is leaves; share of the light on it that it sends
+    // on.
+    std::vector<glm::vec3> colors;
+    std::vector<float> leaves;
+    std::vector<glm::vec3> scatter;
+    // What shines through a species' leaves, as a share of what they reflect, in the mean of all its area.
+    float throughOf(size_t i) const { return leaves[i] * rule.species[i].translucency; }
     // Light in its air, by forest/texcells while there are volumes; 0: none. What they name is that effect's.
     GLuint light = 0, lightGlobals = 0;
     std::vector<float> around;      // by tree: share of the forest that stands around it

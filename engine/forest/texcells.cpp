@@ -57,11 +57,22 @@ struct TexcellsView : EffectState {
 // --- tiles ---------------------------------------------------------------------------------------------------------
 
 // How a tree looks from the eye.
-TreeInView lookOf(const Volume& v, const Forest& rule, const StandingTree& tree, const glm::dvec3& eye) {
+TreeInView lookOf(const Volume& v, const ForestHere& here, const StandingTree& tree, const glm::dvec3& eye) {
     const glm::dvec3 way = eye - tree.at;
-    const FoliageLook look = v.foliage[tree.species].from(glm::vec3(way / std::max(glm::length(way), 1e-6)));
-    const float through = v.leaves[tree.species] * rule.species[tree.species].translucency;
-    return {static_cast<float>(-way.y), look.seen, look.sun, through * look.passed, look.sky, through};
+    const glm::vec3 towards(way / std::max(glm::length(way), 1e-6));
+    const FoliageLook look = v.foliage[tree.species].from(towards);
+    const float through = here.throughOf(tree.species);
+    const glm::vec3& scatter = here.scatter[tree.species];
+    const float faces = v.images.trees[tree.species].litFacing, litSeen = v.images.air.litSeen;
+    TreeInView t{};
+    t.foot = static_cast<float>(-way.y);
+    t.seen = look.seen, t.sun = faces * look.sun, t.passed = faces * through * look.passed;
+    t.sky = look.sky, t.through = through;
+    // The mean cosine to the upper half of all directions is half the rise.
+    t.sunward = std::exp(litSeen * glm::dot(towards, v.sun)), t.skyward = std::exp(0.5f * litSeen * towards.y);
+    t.facing = faces;
+    t.red = scatter.x, t.green = scatter.y, t.blue = scatter.z;
+    return t;
 }
 
 // Feet of those trees that are drawn as volumes, relative to the eye, and their looks; and what they reach.
@@ -69,7 +80,7 @@ Reach feetOf(const DrawContext& ctx, const ForestHere& here, const Volume& v, co
              bool near, std::vector<TreeInView>& out) {
     Reach r;
     for (const int32_t number : t.trees) {
-        out.push_back({kNoTree, 1, 0, 0, 1, 0});
+        out.push_back({}), out.back().foot = kNoTree;
         if (number < 0) continue;
         const StandingTree& tree = here.stand->trees[static_cast<size_t>(number)];
         if (near && isMesh(here.rule, tree, glm::distance(tree.at, ctx.camera.eye))) continue;
@@ -77,7 +88,7 @@ Reach feetOf(const DrawContext& ctx, const ForestHere& here, const Volume& v, co
         r.low = std::min(r.low, foot - aside);
         r.high =
             std::max(r.high, foot + aside + static_cast<double>(here.rule.species[tree.species].height * tree.size));
-        out.back() = lookOf(v, here.rule, tree, ctx.camera.eye);
+        out.back() = lookOf(v, here, tree, ctx.camera.eye);
     }
     return r;
 }
@@ -289,7 +300,7 @@ void drawShade(DrawContext& ctx) {
     if (ctx.settings.mode != ViewMode::Final || ctx.own<TexcellsState>().volumes.empty() || !ctx.use()) return;
     if (!view.nodes.id()) view.nodes = makeBuffer(ctx.gpu, kOwner, NODES_PER_DRAW * sizeof(TerrainNode), nullptr);
     glEnable(GL_BLEND);
-    glBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
+    glBlendFuncSeparate(GL_ONE, GL_SRC1_COLOR, GL_ZERO, GL_ONE);
     glDepthMask(GL_FALSE);
     ctx.pass->draws += drawNodes(ctx.shared.groundMesh, ctx.shared.groundMesh.nodes, view.nodes);
     glDepthMask(GL_TRUE);

@@ -115,8 +115,6 @@ void ensureVolume(DrawContext& ctx, const std::string& owner, Volume& v, const F
         v.spec = {here.stand->tiles, std::make_shared<const std::vector<Mesh>>(here.meshes),
                   static_cast<double>(here.rule.voxel), here.rule.storage == VolumeStorage::Compressed};
         v.key = volumeKey(v.spec);
-        v.leaves.clear();
-        for (const Mesh& m : here.meshes) v.leaves.push_back(leafPart(m));
         v.bake = {};
         v.stood = 0;
     }
@@ -149,10 +147,11 @@ bool lightVolume(Volume& v, const glm::vec3& sun) {
     std::vector<uint8_t> bytes(4 * seen.past.size());
     const auto byte = [](float x) { return static_cast<uint8_t>(std::lround(std::clamp(x, 0.0f, 1.0f) * 255)); };
     for (size_t i = 0; i < seen.past.size(); ++i) {
-        bytes[4 * i] = byte(seen.past[i]);
-        bytes[4 * i + 1] = byte(v.images.sky[0][i]);
-        bytes[4 * i + 2] = byte(v.images.sky[1][i]);
-        bytes[4 * i + 3] = byte(seen.pastOwn[i]);
+        const float get = air.leavesGet(i);
+        bytes[4 * i] = byte(get * seen.past[i]);
+        bytes[4 * i + 1] = byte(get * v.images.sky[0][i]);
+        bytes[4 * i + 2] = byte(get * v.images.sky[1][i]);
+        bytes[4 * i + 3] = byte(get * seen.pastOwn[i]);
     }
     glTextureSubImage3D(v.light.id(), 0, 0, 0, 0, air.side, air.side, air.layers, GL_RGBA, GL_UNSIGNED_BYTE,
                         bytes.data());

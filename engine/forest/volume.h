@@ -21,7 +21,6 @@ struct Volume {
     glm::vec3 sun{0};                   // that the light is of
     float floorSun = 1, floorSky = 1;   // shares of it, and of the sky's, that reach the lowest parts
     std::vector<FoliageTable> foliage;  // under it, by species
-    std::vector<float> leaves;          // by species: share of its area through which light shines
     std::vector<Prism> prisms;          // of StandingForest::triangles
     Buffer globals;                     // of its light, for meshes
 };

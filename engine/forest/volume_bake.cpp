@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/numerics.h"
+#include "forest/leaf_depth.h"
 
 namespace sward {
 namespace {
@@ -164,6 +165,14 @@ ForestAir airOf(const ForestVolume& v, const std::vector<glm::vec4>& sums) {
     return a;
 }
 
+// The air by every texel of the volume.
+ForestAir fineAir(const ForestVolume& v, const std::vector<glm::vec4>& sums) {
+    ForestAir a{v.side, v.layers, v.edge, v.height, std::vector<float>(sums.size()), v.cells, v.air.facing};
+    const double part = v.texel() * v.texel() * 0.8660254037844386 * v.height / v.layers;
+    for (size_t i = 0; i < sums.size(); ++i) a.extinction[i] = sums[i].w / static_cast<float>(part);
+    return a;
+}
+
 // By u and v of the air: the number of the tree that its middle belongs to, by where that tree's foot lies.
 std::vector<uint16_t> ownersOf(const ForestVolume& v, const ForestTiles& tiles) {
     std::map<std::pair<int64_t, int64_t>, uint16_t> numbers;
@@ -255,6 +264,8 @@ ForestVolume bakeForest(const ForestTiles& tiles, const std::vector<Mesh>& meshe
     v.air = airOf(v, splat.sums);
     v.air.owners = ownersOf(v, tiles);
     v.air.facing = facingOfAll(tiles, meshes);
+    LeafDepths depths = leafDepths(fineAir(v, splat.sums), v.air);
+    v.air.deeper = std::move(depths.deeper), v.air.litSeen = depths.litSeen;
     return v;
 }
 

@@ -29,6 +29,12 @@ struct ForestAir {
     int cells = 2;                   // along each side
     Facing facing = evenFacing();    // of all that it holds
     std::vector<uint16_t> owners{};  // by u and v: another number for another tree; empty: one owns all
+    // Optical depth by which leaves of a part lie deeper than its middle (leaf_depth.h); empty: none does.
+    std::vector<float> deeper{};
+    // Of the leaves of a part that are seen from a side, how many more are lit from that side than of all: a logarithm.
+    float litSeen = 0;
+    // Of the light in the middle of a part, the share that its leaves get; above 1 where they lie before it.
+    float leavesGet(size_t part) const { return deeper.empty() ? 1 : std::exp(-deeper[part]); }
 };
 struct ForestVolume {
     int side = 0, layers = 0;                             // texels along u and v of all cells; slabs, a power of two

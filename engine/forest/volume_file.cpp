@@ -9,7 +9,7 @@ namespace sward {
 namespace {
 
 constexpr char kMagic[8] = {'S', 'W', 'F', 'O', 'R', 'E', 'S', 'T'};
-constexpr uint64_t kFileVersion = 2;
+constexpr uint64_t kFileVersion = 3;
 constexpr uint64_t kFileLimit = uint64_t(2) << 30;
 constexpr uint64_t kMostItems = uint64_t(1) << 31;  // of a list
 
@@ -69,11 +69,12 @@ void describe(Io& io, Images& v) {
     io.each(v.levels, [&](auto& level) { io.each(level, [&](auto& mip) { io.list(mip); }); });
     io.list(v.slots);
     io.value(v.air.side), io.value(v.air.layers), io.value(v.air.edge), io.value(v.air.height), io.value(v.air.cells);
-    io.list(v.air.extinction), io.value(v.air.facing), io.list(v.air.owners);
+    io.list(v.air.extinction), io.value(v.air.facing), io.list(v.air.owners), io.list(v.air.deeper),
+        io.value(v.air.litSeen);
     for (auto& half : v.sky) io.list(half);
     io.each(v.trees, [&](auto& t) {
         io.value(t.side), io.value(t.layers), io.value(t.part), io.value(t.height), io.list(t.extinction);
-        io.value(t.facing);
+        io.value(t.facing), io.value(t.litFacing);
     });
 }
 

@@ -5,13 +5,14 @@
 
 #include "core/hash.h"
 #include "core/numerics.h"
+#include "forest/leaf_depth.h"
 #include "gpu/bc7.h"
 #include "mesh/tree_shapes.h"
 
 namespace sward {
 namespace {
 
-constexpr uint64_t kVersion = 6;     // of what is baked from the same trees
+constexpr uint64_t kVersion = 8;     // of what is baked from the same trees
 constexpr double kFilled = 0.6;      // of a bake's time, once the volume is there
 constexpr float kDraftKeep = 0.12f;  // of leaves
 constexpr double kDraftCoarser = 4;
@@ -127,7 +128,10 @@ Result<VolumeImages> bakeVolume(const VolumeSpec& spec, JobControl& control) {
     }
     out.sky = skyThrough(v.air);
     out.air = std::move(v.air);
-    for (const Mesh& m : *spec.meshes) out.trees.push_back(treeAir(m));
+    for (const Mesh& m : *spec.meshes) {
+        out.trees.push_back(treeAir(m));
+        out.trees.back().litFacing = litFacing(m, out.trees.back());
+    }
     if (control.cancelled()) return interruption("the bake of a forest was cancelled");
     return out;
 }

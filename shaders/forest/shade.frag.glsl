@@ -1,5 +1,6 @@
-// What a forest leaves of the sky's light on the ground below it, multiplied onto the picture; the sun's is taken where
-// the ground is lit (lib/shadow.glsl), and lamps' light stays as it is.
+// What a forest leaves of the sky's light on the ground below it, as a factor of the picture, and the haze before the
+// ground, which that factor must not darken, as an addend; the sun's share is taken where the ground is lit
+// (lib/shadow.glsl), and lamps' light stays as it is.
 #include "lib/frame.glsl"
 #include "lib/lamp_shadow.glsl"
 #include "lib/light.glsl"
@@ -8,7 +9,8 @@
 in vec3 position;
 in vec2 place;
 in vec3 normal;
-out vec4 color;
+layout(location = 0, index = 0) out vec4 added;
+layout(location = 0, index = 1) out vec4 times;
 
 const float kOpen = 0.996;  // what 8 bits show as the whole sky
 
@@ -19,5 +21,6 @@ void main() {
     if (SUN) sun = sunLight(n) * sunVisible(position, vec3(0.0));
     if (LAMPS) sun += lampLight(position, n, vec3(0.0));
     vec3 left = (sky * open + sun) / max(sky + sun, vec3(1e-6));
-    color = vec4(mix(left, vec3(1.0), hazeShare(length(position))), 1.0);
+    times = vec4(left, 1.0);
+    added = vec4((vec3(1.0) - left) * hazeShare(length(position)) * hazeColor(position), 0.0);
 }

@@ -1,6 +1,6 @@
-// What a slice shows of the trees in its tile: leaves lit by sun and sky through the air above and around them, by
-// lamps through the leaves on the way there, and by what shines through them, in the haze. Each tree stands on the
-// ground at its own foot, whatever the slice's plane.
+// What a slice shows of the trees in its tile: leaves lit by sun and sky through the air above and around them, by each
+// other, by lamps through the leaves on the way there, and by what shines through them, in the haze. Each tree stands
+// on the ground at its own foot, whatever the slice's plane.
 #include "lib/canopy.glsl"
 #include "lib/frame.glsl"
 #include "lib/lamp_shadow.glsl"
@@ -86,16 +86,23 @@ void main() {
     // The stored air is full of trees; where fewer stand around, light comes through so much less of it.
     vec4 shares = max(lightShares(uv, at), vec4(LEAST_LIGHT));
     vec2 around = pow(shares.gb, canopy.yy);
+    around.x = oddsTimes(around.x, tree.skyward);
     vec3 below = frame.groundLight * (around.y * pow(max(forest.floor, LEAST_LIGHT), canopy.y)),
          above = frame.skyLight * around.x;
-    vec3 light = mix(below, above, tree.sky), passed = tree.through * mix(above, below, tree.sky);
+    vec3 sky = above * tree.facing, sun = vec3(0.0);
+    vec3 light = mix(below, sky, tree.sky), passed = tree.through * mix(sky, below, tree.sky);
     if (SUN) {
         // What its own crown takes is taken wherever the tree stands.
         float visible = shares.a * pow(min(shares.r / shares.a, 1.0), canopy.x);
+        visible = oddsTimes(visible, tree.sunward);
         if (TERRAIN_SHADOWS && frame.sunIsUp > 0.0) visible *= sunPastHills(position);
-        light += frame.sunLight * (tree.sun * visible);
-        passed += frame.sunLight * (tree.passed * visible);
+        sun = frame.sunLight * visible;
+        light += sun * tree.sun;
+        passed += sun * tree.passed;
     }
+    vec3 others = lightFromLeaves(vec3(tree.red, tree.green, tree.blue), sun, above, below, dot(around, vec2(0.5)));
+    light += others;
+    passed += tree.through * others;
     if (LAMPS) addLamps(tree, uv, at, slot, light, passed);
     vec3 sent = leaves.rgb * light + leafThrough(leaves.rgb) * passed;
     if (LAMPS) sent = min(sent, vec3(kBrightest));

@@ -1,6 +1,6 @@
 // A near tree's colour, diffuse, lit by sun, sky and lamps, and by what shines through its leaves, in the haze. Light
-// from the sky comes through the same air as the volumes' does, where there are volumes; the others' through the shadow
-// maps.
+// from the sky and from the leaves around comes through the same air as the volumes' does, where there are volumes; the
+// others' through the shadow maps.
 #include "lib/canopy.glsl"
 #include "lib/frame.glsl"
 #include "lib/lamp_shadow.glsl"
@@ -8,6 +8,7 @@
 #include "lib/light.glsl"
 #include "lib/object_color.glsl"
 #include "lib/shadow.glsl"
+#include "numerics/forest.h"
 #include "numerics/leaf.h"
 #include "numerics/light.h"
 #include "shared/bindings.h"
@@ -18,6 +19,7 @@ layout(location = 0) uniform vec3 reflectance;  // factor of the image
 layout(location = 1) uniform float cutoff;      // of its alpha
 layout(location = 2) uniform float leaves;      // share of the part through which light shines at all
 layout(location = 3) uniform float translucency;
+layout(location = 4) uniform vec3 scatter;  // share of the light on leaves that they send on, to both sides
 
 in vec3 position;
 in vec3 normal;
@@ -26,11 +28,17 @@ in vec3 air;
 flat in float around;
 out vec4 color;
 
-vec3 skyAt(vec3 n) {
-    if (!FOREST_VOLUMES) return ambientLight(n);
-    vec2 shares = pow(max(lightShares(air.xy / forest.cells, air.z).gb, vec2(LEAST_LIGHT)), vec2(around));
-    float onGround = pow(max(forest.floor, LEAST_LIGHT), around);
-    return halvesLight(frame.groundLight * (shares.y * onGround), frame.skyLight * shares.x, n.y);
+// Light from above, from below and from the leaves around.
+struct Around {
+    vec3 above, below, leaves;
+};
+Around lightAround() {
+    if (!FOREST_VOLUMES) return Around(frame.skyLight, frame.groundLight, vec3(0.0));
+    vec4 shares = pow(max(lightShares(air.xy / forest.cells, air.z), vec4(LEAST_LIGHT)), vec4(around));
+    vec3 above = frame.skyLight * shares.g,
+         below = frame.groundLight * (shares.b * pow(max(forest.floor, LEAST_LIGHT), around));
+    vec3 sun = SUN ? frame.sunLight * shares.r : vec3(0.0);
+    return Around(above, below, lightFromLeaves(scatter, sun, above, below, 0.5 * (shares.g + shares.b)));
 }
 
 // What the surface sends of all lamps' light; through: of what falls on its other side. Leaves are flat: raised as
@@ -52,7 +60,9 @@ void main() {
     vec3 n = normalize(gl_FrontFacing ? normal : -normal);
     vec3 own = texel.rgb * reflectance;
     float through = leaves * translucency;
-    vec3 light = own * skyAt(n) + leafThrough(own) * (through * skyAt(-n));
+    Around from = lightAround();
+    vec3 light = own * (halvesLight(from.below, from.above, n.y) + from.leaves) +
+                 leafThrough(own) * (through * (halvesLight(from.below, from.above, -n.y) + from.leaves));
     if (SUN) {
         float facing = dot(n, frame.sunDirection);
         vec3 lit = facing < 0.0 ? -n : n;

@@ -65,3 +65,17 @@ FN real foliagePhase(real cosine) {
     real angle = real(2.0) * atan(sqrt(max(1.0f - c, real(0.0))), sqrt(max(1.0f + c, real(0.0))));
     return real(0.2122065907891938) * (s + (real(3.141592653589793) - angle) * c);
 }
+
+// Light (irradiance divided by pi) that the leaves around throw on a place among them, of all orders. Light that falls
+// on a leaf is scattered by the share `scatter` and meets another leaf with the probability p = 1 - open, again and
+// again, so that p scatter / (1 - p scatter) of it comes back (photon recollision: Knyazikhin et al. 1998; Smolander
+// and Stenberg, "Simple parameterizations of the radiation budget of uniform broadleaved and coniferous canopies",
+// 2005). sun: what faces it here receives; above, below: what level ground and a ceiling do; all divided by pi, past
+// the leaves. A leaf in the mean of all directions has half its outline towards the sun. open: share of all directions
+// free of leaves.
+FN vec3 lightFromLeaves(vec3 scatter, vec3 sun, vec3 above, vec3 below, real open) {
+    real p = 1.0f - clamp(open, real(0.0), real(1.0));
+    vec3 met = sun * real(0.25) + (above + below) * real(0.5);
+    return vec3(p * scatter.x / (1.0f - p * scatter.x) * met.x, p * scatter.y / (1.0f - p * scatter.y) * met.y,
+                p * scatter.z / (1.0f - p * scatter.z) * met.z);
+}

@@ -26,6 +26,12 @@ struct TreeInView {
     float passed;   // share that shines through them to the eye, of what they would send back of it
     float sky;      // share of the light from all around that they take from above
     float through;  // of all light on their other sides, what shines through: a share of what is sent back
+    float sunward;  // factor of the odds that what is seen of its leaves is in the sun
+    float skyward;  // likewise, in the sky's light
+    float facing;   // of the sky's light that reaches its leaves, how much more they take since those face it
+    float red;      // share of the light on them that they scatter, to both sides, by colour
+    float green;
+    float blue;
 };
 
 // A triangle of the lattice in a view: corners of its ground relative to the eye, in the order of the tile's.

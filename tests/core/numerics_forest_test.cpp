@@ -194,5 +194,24 @@ TEST(Brush, ZeroLengthAndZeroRadiusAreDefined) {
     EXPECT_FLOAT_EQ(brushWeight(0.5f, 1, 1), 0.5f);
 }
 
+// A closed box of leaves in light of 1 from everywhere would hold 1 + s + s^2 + ...: what a leaf meets is that less 1.
+TEST(LightFromLeaves, IsTheSumOfAllOrdersOfScattering) {
+    const vec3 white(1, 1, 1), none(0, 0, 0), scatter(0.2f, 0.5f, 0.9f);
+    for (const float open : {0.0f, 0.3f, 0.8f, 1.0f}) {
+        const vec3 light = lightFromLeaves(scatter, none, white, white, open);
+        for (int c = 0; c < 3; ++c) {
+            double sum = 0, order = 1;
+            for (int k = 0; k < 400; ++k) sum += order *= double(1 - open) * double(scatter[c]);
+            EXPECT_NEAR(light[c], sum, 1e-5 * (1 + sum)) << open;
+        }
+    }
+    EXPECT_EQ(lightFromLeaves(scatter, white, white, white, 1), none);
+    EXPECT_EQ(lightFromLeaves(none, white, white, white, 0), none);
+    // Leaves in all directions meet half as much of a sun as what faces it on either side, and half of each half.
+    const vec3 sun = lightFromLeaves(scatter, white, none, none, 0.5f),
+               sky = lightFromLeaves(scatter, none, white, none, 0.5f);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(2 * sun[c], sky[c], 1e-6f);
+}
+
 }  // namespace
 }  // namespace sward

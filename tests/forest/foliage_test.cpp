@@ -35,5 +35,17 @@ TEST(Foliage, TablesGiveWhatTheFormulasDo) {
     }
 }
 
+TEST(Foliage, LeavesAloneScatterAndToBothSides) {
+    const glm::vec3 color(0.1f, 0.2f, 0.05f);
+    const Mesh birch = growTree({.kind = TreeKind::Birch, .leafColor = color, .barkColor = {0.6f, 0.6f, 0.6f}});
+    const glm::vec3 seen = leafColor(birch);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c] / color[c], 1, 0.06f) << "tints of leaves, no bark";
+    EXPECT_EQ(leafColor(Mesh{}), glm::vec3(0));
+    EXPECT_EQ(scatterOf(color, 0), color);
+    const glm::vec3 through = scatterOf(color, 0.5f);
+    EXPECT_NEAR(through.y, 0.2f * (1 + 0.5f * 1.05f), 1e-6f);
+    EXPECT_LT(scatterOf({0.9f, 0.9f, 0.9f}, 1).y, 1) << "or light among them would never end";
+}
+
 }  // namespace
 }  // namespace sward
