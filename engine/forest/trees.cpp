@@ -170,7 +170,8 @@ void draw(DrawContext& ctx) {
         glBindBufferBase(GL_UNIFORM_BUFFER, UBO_FOREST, g.here->lightGlobals);
         glBindTextureUnit(TEX_FOREST_LIGHT, g.here->light);
         glUniform1f(3, g.here->rule.species[g.species].translucency);
-        glUniform3fv(4, 1, &g.here->scatter[g.species].x);
+        const glm::vec3& scatter = g.here->scatter[g.species];
+        glUniform3f(4, scatter.x, scatter.y, scatter.z);
         drawMesh(ctx, *g.mesh, s.white, g.first, g.seen);
     }
 }
