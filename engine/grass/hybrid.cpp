@@ -51,7 +51,7 @@ FeatureSet hybridFeatures(const FieldEntity& field) {
     FeatureSet s;
     if (t.maxGeom > 0) s |= featureSet(Feature::GrassGeometry);
     if (std::isinf(t.minGeom)) return s;
-    if (t.maxBTF > t.minGeom || t.tiersBy == TiersBy::Pixels)
+    if (t.maxBTF > t.minGeom || (byPixels(&t) && t.maxBTF > 0))
         s |= featureSet(t.middleTier == MiddleTier::Raytraced ? Feature::GrassRaytraced : Feature::GrassSlices);
     return s | featureSet(Feature::GrassFar);
 }
@@ -271,6 +271,7 @@ HybridTiers tiersSeen(const FieldEntity& field, float pixelsPerMetre) {
     const HybridTiers own = t;
     t.maxGeom = seenTo(own.maxGeom, size.width, pixelsPerMetre, own.bladePixels);
     if (t.maxGeom != own.maxGeom) t.minGeom *= t.maxGeom / own.maxGeom;
+    if (own.maxBTF <= 0) return t;  // no slices
     t.maxBTF = std::max(seenTo(own.maxBTF, size.height, pixelsPerMetre, own.slicePixels), kSlicesReach * t.maxGeom);
     if (std::isfinite(t.maxBTF) && own.maxBTF > 0) t.minBTF = std::max(own.minBTF * (t.maxBTF / own.maxBTF), t.maxGeom);
     return t;

@@ -53,6 +53,8 @@ TEST(TiersByPixels, WhatNeverEndsOrIsLeftOutStaysSoAndSlicesEndBeyondBlades) {
     EXPECT_EQ(tiersSeen(f.asField(), 665).minGeom, kInf);
     f.hybrid.minGeom = f.hybrid.maxGeom = 0;
     EXPECT_EQ(tiersSeen(f.asField(), 665).maxGeom, 0);
+    f.hybrid.minBTF = f.hybrid.maxBTF = 0;
+    EXPECT_EQ(tiersSeen(f.asField(), 665).maxBTF, 0);
     FlatField low = byPixels();
     low.hybrid.slicePixels = 1000;  // nearer than blades end
     const HybridTiers t = tiersSeen(low.asField(), 665);
