@@ -1,6 +1,7 @@
 // A texel of the horizontal slice (lib/far.glsl), as opaque as the grass is along this slanted ray, less what vertical
 // slices cover (grass/slices.h), and lit as they are.
 #include "lib/field.glsl"
+#include "lib/along.glsl"
 #include "lib/density.glsl"
 #include "lib/far.glsl"
 #include "lib/far_light.glsl"
@@ -40,7 +41,7 @@ vec3 clumpsHere(Repeated r, float pixel) {
 // What the place has for the blades that the slice stands for; clumps are added where they are seen.
 BladeStand standHere(vec2 uv) {
     BladeStand s = emptyStand();
-    s.paint = paintedLean(uv);
+    s.paint = leanAlong(uv);
     s.leanAtFull = slices.leanAtFull;
     s.breeze = windLeanAt(position.xz, -1.0, field.species[slices.species].gusts);
     s.clumpLean = slices.clumpLean;
@@ -67,7 +68,7 @@ void main() {
     vec2 uv = mapPlace(place);
     float d = length(position);
     vec3 toEye = -position / max(d, 1e-4);
-    float density = sliceDensity(fieldDensity(uv), lodRamp(d, slices.minGeom, slices.geomInv));
+    float density = sliceDensity(densityAlong(uv), lodRamp(d, slices.minGeom, slices.geomInv));
     BladeStand stand = standHere(uv);
     vec2 lean = leanOf(stand, vec2(0.0)).lean;
     // Vertical slices that lean cover less of what lies below: as much as they are lowered.
@@ -83,7 +84,7 @@ void main() {
     if (TRANSPARENCY == COVERAGE) alpha = coveredAlpha(COVERAGE, alpha, grain(r));
     if (!(alpha > 0.002)) discard;
     vec4 leaf = textureGrad(sliceReflectance, r.texel, r.dx, r.dy);
-    leaf.rgb = paintedOver(leaf.rgb, uv);
+    leaf.rgb = paintedAlong(leaf.rgb, uv);
     float pixel = max(length(r.dx), length(r.dy)) / slices.sharpness * slices.cellSize;
     stand.clump = clumpsHere(r, pixel);
     BladeLean l = leanOf(stand, vec2(0.0));
