@@ -3,6 +3,7 @@
 #include "lib/frame.glsl"
 #include "lib/ground_light.glsl"
 #include "lib/light.glsl"
+#include "lib/looks.glsl"
 #include "lib/soil.glsl"
 #include "numerics/land.h"
 #include "numerics/light.h"
@@ -26,7 +27,7 @@ float mapBias(float beyond) {
 vec3 soil(vec2 uv, float beyond) {
     vec3 image = texture(soilTexture, place * frame.soilRepeats).rgb * 2.0 * frame.soilColor;
     if (!TERRAIN_MAP) return image;
-    vec4 map = texture(terrainMap, tiled(uv, frame.terrainTiling), mapBias(beyond));
+    vec4 map = colorAlong(terrainMap, tiled(uv, frame.terrainTiling), mapBias(beyond));
     return soilColor(image, frame.soilColor, map.rgb, map.a);
 }
 
