@@ -13,7 +13,9 @@ constexpr int64_t kMostTexels = 1 << 16;  // larger ones are sound, and slow
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, size_t size) {
     const auto file = fuzz::inputFile("image", fuzz::textOf(data, size));
-    if (const auto head = readImageHead(file); head && head->width * head->height > kMostTexels) return 0;
+    if (const auto head = readImageHead(file);
+        head && static_cast<double>(head->width) * static_cast<double>(head->height) > kMostTexels)
+        return 0;
     const auto image = readImage(file);
     fuzz::promise(bool(checkImage(file)) == bool(image), "check decodes what a reader does");
     if (image)

@@ -86,6 +86,21 @@ TEST(DamagedMaps, ChangedBytesNeverCrashNorGiveTexelsThatAreNotFinite) {
     EXPECT_GT(read, 100u);
 }
 
+// A data window that ends before it begins: found by fuzzing, whose own product of the sides it overflowed.
+TEST(DamagedMaps, AnExrWhoseWindowIsTurnedInsideOutIsRefused) {
+    TempDir dir;
+    const Kind& kind = kKinds[2];
+    std::string bytes = soundFile(dir, kind);
+    const std::string name("dataWindow\0box2i\0", 17);
+    const size_t window = bytes.find(name) + name.size() + 4;
+    ASSERT_LT(window, bytes.size());
+    bytes.replace(window, 16, std::string("\xff\xff\xff\x7f\xff\xff\xff\x7f\0\0\0\x80\0\0\0\x80", 16));
+    writeText(dir / kind.name, bytes);
+    const Result<Map> map = readMap(dir / kind.name, wishFor(kind));
+    ASSERT_FALSE(map);
+    EXPECT_EQ(map.error().code, ExitCode::Unsound);
+}
+
 // Chunk lengths that, with the 12 bytes around a chunk, come to 2^32 or more: found by fuzzing, which it hung.
 TEST(DamagedMaps, APngWhoseChunksAreAsLongAsNumbersGoIsRefused) {
     TempDir dir;
