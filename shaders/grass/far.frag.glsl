@@ -1,7 +1,7 @@
 // A texel of the horizontal slice (lib/far.glsl), as opaque as the grass is along this slanted ray, less what vertical
 // slices cover (grass/slices.h), and lit as they are.
-#include "lib/field.glsl"
 #include "lib/along.glsl"
+#include "lib/field.glsl"
 #include "lib/density.glsl"
 #include "lib/far.glsl"
 #include "lib/far_light.glsl"

@@ -48,8 +48,9 @@ void main() {
     float grown;
     SoilShares shares = soilUnder(uv, distance, grown);
     float beyond = TERRAIN_BEYOND ? beyondBy(place, frame.terrainSize) : 0.0;
-    vec3 light = beyond > 0.0 ? landLight(n) * land(soil(uv, beyond), shares.mean.sun, beyond)
-                              : soilLight(position, n, shares) * soil(uv, 0.0);
+    vec3 here = soil(uv, max(beyond, 0.0));  // before pixels part: it takes differences between neighbours
+    vec3 light =
+        beyond > 0.0 ? landLight(n) * land(here, shares.mean.sun, beyond) : soilLight(position, n, shares) * here;
     light = mix(light, hazeColor(position), hazeShare(distance));
     color = vec4(clamp(light, vec3(0.0), vec3(kBrightest)), 1.0);
     if (viewMode() == VIEW_TIERS) color.rgb = vec3(0.25);

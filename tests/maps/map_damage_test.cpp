@@ -86,7 +86,7 @@ TEST(DamagedMaps, ChangedBytesNeverCrashNorGiveTexelsThatAreNotFinite) {
     EXPECT_GT(read, 100u);
 }
 
-// A data window that ends before it begins: found by fuzzing, whose own product of the sides it overflowed.
+// A data window that ends before it begins. Fuzzing found it: a product of both sides overflowed in the fuzz target.
 TEST(DamagedMaps, AnExrWhoseWindowIsTurnedInsideOutIsRefused) {
     TempDir dir;
     const Kind& kind = kKinds[2];
