@@ -25,7 +25,7 @@ constexpr double kLevelView = 1e-3;
 // Levels by which slices that face the eye show finer slabs than they lie apart: along the line of sight they follow
 // each other more closely, and slabs that are joined upwards hide less from the side than their trees do.
 constexpr int kTiltedFiner = 1;
-static_assert(kTreeSlots == FOREST_SLOTS);
+static_assert(kTreeSlots == FOREST_SLOTS && kMostSlices == FOREST_MOST_SLICES);
 
 struct TexcellsState : EffectState {
     std::map<std::string, Volume> volumes;  // by entity
@@ -41,16 +41,15 @@ struct TexcellsState : EffectState {
 struct Run {
     const ForestHere* here;
     const Volume* volume;
-    size_t first, count;
-    int slices;
+    size_t tiles, first, slices;  // first: among all slices
 };
 struct TexcellsView : EffectState {
-    Buffer tileBuffer, feetBuffer, globals;
+    Buffer tileBuffer, feetBuffer, sliceBuffer, globals;
     std::vector<TileInView> inView;
     std::vector<TreeInView> feet;  // FOREST_SLOTS of each tile in view
+    std::vector<uint32_t> slices;  // of all tiles, one after the other: as the shader reads them
     std::vector<Run> runs;
     size_t batch = 1;  // tiles of a run at most
-    Buffer nodes;      // of the ground, as many as one draw has
     Veil veil;
 };
 
@@ -141,10 +140,13 @@ void addSlices(TexcellsView& view, const glm::dvec3& eye, const ForestHere& here
     tile.slices = s.count;
     tile.below = s.below;
     tile.level = whole;
-    if (view.runs.empty() || view.runs.back().volume != &v || view.runs.back().count >= view.batch)
-        view.runs.push_back({&here, &v, view.inView.size(), 0, 0});
-    view.runs.back().count += 1;
-    view.runs.back().slices = std::max(view.runs.back().slices, s.count);
+    if (view.runs.empty() || view.runs.back().volume != &v || view.runs.back().tiles >= view.batch)
+        view.runs.push_back({&here, &v, 0, view.slices.size(), 0});
+    view.runs.back().tiles += 1;
+    view.runs.back().slices += static_cast<size_t>(s.count);
+    for (int k = 0; k < s.count; ++k)
+        view.slices.push_back(static_cast<uint32_t>(view.inView.size()) * FOREST_MOST_SLICES +
+                              static_cast<uint32_t>(k));
     view.inView.push_back(tile);
 }
 
@@ -255,7 +257,7 @@ void publishShade(DrawContext& ctx) {
 void place(DrawContext& ctx) {
     TexcellsState& s = ctx.own<TexcellsState>();
     TexcellsView& view = ctx.ofView<TexcellsView>();
-    view.inView.clear(), view.feet.clear(), view.runs.clear();
+    view.inView.clear(), view.feet.clear(), view.slices.clear(), view.runs.clear();
     std::erase_if(s.volumes, [&](const auto& f) {
         return std::none_of(ctx.shared.forests->all.begin(), ctx.shared.forests->all.end(),
                             [&](const auto& h) { return h->entity == f.first && isDrawn(*h); });
@@ -277,6 +279,7 @@ void place(DrawContext& ctx) {
     drawShadeMap(ctx, s, sun);
     publishShade(ctx);
     writeBuffer(ctx.gpu, view.tileBuffer, kOwner, view.inView.size() * sizeof(TileInView), view.inView.data());
+    writeBuffer(ctx.gpu, view.sliceBuffer, kOwner, view.slices.size() * sizeof(uint32_t), view.slices.data());
     writeBuffer(ctx.gpu, view.feetBuffer, kOwner, view.feet.size() * sizeof(TreeInView), view.feet.data());
 }
 
@@ -294,19 +297,6 @@ void bind(DrawContext& ctx, TexcellsView& view, const Run& run) {
     glBindTextureUnit(TEX_FOREST_SLOTS, v.slots.id());
 }
 
-// The sky's share of the light below trees, on the ground.
-void drawShade(DrawContext& ctx) {
-    TexcellsView& view = ctx.ofView<TexcellsView>();
-    if (ctx.settings.mode != ViewMode::Final || ctx.own<TexcellsState>().volumes.empty() || !ctx.use()) return;
-    if (!view.nodes.id()) view.nodes = makeBuffer(ctx.gpu, kOwner, NODES_PER_DRAW * sizeof(TerrainNode), nullptr);
-    glEnable(GL_BLEND);
-    glBlendFuncSeparate(GL_ONE, GL_SRC1_COLOR, GL_ZERO, GL_ONE);
-    glDepthMask(GL_FALSE);
-    ctx.pass->draws += drawNodes(ctx.shared.groundMesh, ctx.shared.groundMesh.nodes, view.nodes);
-    glDepthMask(GL_TRUE);
-    glDisable(GL_BLEND);
-}
-
 void draw(DrawContext& ctx) {
     TexcellsView& view = ctx.ofView<TexcellsView>();
     // All are made before a second run asks for what closes pixels: programs follow from the scene alone.
@@ -320,11 +310,11 @@ void draw(DrawContext& ctx) {
         bind(ctx, view, run);
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_FOREST_TILES, view.tileBuffer.id());
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_FOREST_FEET, view.feetBuffer.id());
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_FOREST_SLICES, view.sliceBuffer.id());
         glBindVertexArray(ctx.own<TexcellsState>().noVertices.id());
-        glUniform1i(0, static_cast<GLint>(run.first));
-        glDrawArraysInstanced(GL_TRIANGLES, 0, 3 * run.slices, static_cast<GLsizei>(run.count));
+        glDrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * run.first), static_cast<GLsizei>(3 * run.slices));
         ctx.pass->draws += 1;
-        ctx.pass->instances += run.count;
+        ctx.pass->instances += run.tiles;
     }
     glDisable(GL_CLIP_DISTANCE1), glDisable(GL_CLIP_DISTANCE2);
     endVeil(ctx, view.veil, kVeilPrograms);
@@ -337,14 +327,7 @@ const ProgramRow kPrograms[] = {
     {"forest/texcells/behind", "post/fullscreen.vert.glsl", "forest/behind.frag.glsl", nullptr, depthVariants},
     {"forest/texcells/full", "forest/full.vert.glsl", "forest/full.frag.glsl", nullptr},
     {"forest/texcells/veil", "post/fullscreen.vert.glsl", "forest/veil.frag.glsl", nullptr}};
-const ProgramRow kShadePrograms[] = {{"forest/shade", "terrain/ground.vert.glsl", "forest/shade.frag.glsl", nullptr}};
-const Pass kPasses[] = {{"forest/shade",
-                         Stage::GroundShadow,
-                         kViewMain,
-                         {.reads = {Slot::GroundNodes, Slot::Shadows}, .appends = {Slot::SceneColor}},
-                         kShadePrograms,
-                         drawShade},
-                        {"forest/texcells",
+const Pass kPasses[] = {{"forest/texcells",
                          Stage::Canopy,
                          kViewMain | kViewReflection,
                          {.reads = {Slot::SceneDepth, Slot::Shadows}, .appends = {Slot::SceneColor}},

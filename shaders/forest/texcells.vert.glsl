@@ -10,8 +10,9 @@
 #include "shared/forest.h"
 
 layout(std430, binding = SSBO_FOREST_TILES) readonly buffer TilesBlock { TileInView tiles[]; };
+// Of all slices, in the order in which they are drawn: FOREST_MOST_SLICES times the tile, and its slice.
+layout(std430, binding = SSBO_FOREST_SLICES) readonly buffer SlicesBlock { uint slices[]; };
 layout(std140, binding = UBO_FOREST) uniform ForestBlock { ForestGlobals forest; };
-layout(location = 0) uniform int firstTile;
 
 out vec3 position;     // relative to the eye
 out vec2 stored;       // lattice coordinates in the cells that repeat
@@ -40,9 +41,10 @@ void cutAtReach(TileInView t, float over) {
 }
 
 void main() {
-    number = firstTile + gl_InstanceID;
+    uint which = slices[gl_VertexID / 3];
+    number = int(which / uint(FOREST_MOST_SLICES));
     TileInView t = tiles[number];
-    int k = gl_VertexID / 3, corner = gl_VertexID % 3;
+    int k = int(which % uint(FOREST_MOST_SLICES)), corner = gl_VertexID % 3;
     int slice = k < t.slices - t.below ? t.below + k : t.slices - 1 - k;
     float share = t.coarser;
     // Slices by pairs: the lower one becomes the pair's, between the two, while the upper one fades.
@@ -65,5 +67,5 @@ void main() {
     level = t.level;
     cutAtWater(position.y);
     cutAtReach(t, t.corner[corner].w + rise);
-    gl_Position = k < t.slices ? frame.viewProj * vec4(position, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
+    gl_Position = frame.viewProj * vec4(position, 1.0);
 }

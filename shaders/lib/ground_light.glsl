@@ -1,5 +1,5 @@
 // Light on soil under grass, and what is left of it in the shadow of one light. Needs: const bool SUN, LAMPS,
-// GROUND_SHADOWS, CASTING_LIGHTS, GRASS_HEIGHTS; what lib/lamp_shadow.glsl needs.
+// GROUND_SHADOWS, CASTING_LIGHTS, GRASS_HEIGHTS; what lib/lamp_shadow.glsl and lib/shadow.glsl need.
 #include "lib/frame.glsl"
 #include "lib/lamp_shadow.glsl"
 #include "lib/lamps.glsl"
@@ -58,7 +58,7 @@ float directShare(int i, bool casts, vec3 at, SoilShares s) {
 }
 
 vec3 soilLight(vec3 at, vec3 n, SoilShares s) {
-    vec3 sum = ambientLight(n) * s.ambient;
+    vec3 sum = ambientLight(n) * (s.ambient * skyPastTrees(at));
     if (SUN) sum += castLight(0, at, n) * directShare(0, frame.sunCasts > 0.0, at, s);
     for (int i = 0; i < lampCount(); ++i)
         sum += castLight(i + 1, at, n) * directShare(i + 1, i < castingLamps(), at, s);

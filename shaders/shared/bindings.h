@@ -31,6 +31,7 @@
 #define SSBO_UP_TO 7
 #define SSBO_FOREST_TILES 1  // as cells: bound for each draw
 #define SSBO_FOREST_FEET 3
+#define SSBO_FOREST_SLICES 4
 // Images
 #define IMAGE_LAMP_HILLS 0
 // Textures

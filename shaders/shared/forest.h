@@ -2,7 +2,8 @@
 #pragma once
 #include "shared/types.h"
 #define FOREST_SLOTS 32
-#define LEAST_LIGHT 0.002  // what 8 bits store as 0
+#define FOREST_MOST_SLICES 512  // of a tile
+#define LEAST_LIGHT 0.002       // what 8 bits store as 0
 #ifdef __cplusplus
 namespace sward {
 #endif
@@ -43,7 +44,7 @@ struct TileInView {
     float path;      // what a slice stands for: slabs' heights that lie between two slices
     float coarser;   // share of the next level: 0 to 1
     int up;          // 1 where it points up
-    int slices;      // that are drawn
+    int slices;      // it has
     int below;       // how many of them lie below the eye
     int level;       // the finer of the two levels
     int padding;     // to 16 bytes, as arrays of buffers stride

@@ -229,6 +229,48 @@ TopView periodic() {
     return v;
 }
 
+// As many tiles as 64 forests have: each edge and tile of one that a hash chooses. `turned`: no more tiles than one
+// forest has, but what stands within each is turned by thirds, as a hash has it.
+TopView ofManyTiles(bool turned) {
+    std::vector<ForestTiles> all;
+    for (int seed = 0; seed < (turned ? 1 : 64); ++seed) {
+        Forest rule;
+        rule.seed = seed;
+        all.push_back(forestTiles(rule));
+    }
+    const double edge = all[0].edge;
+    TopView v;
+    for (int j = -2; j < 48; ++j)
+        for (int i = -30; i < 42; ++i)
+            for (uint32_t part = 0; part < 5; ++part) {
+                const uint32_t h = f32::hash2(f32::cellHash(i, j, 9), part);
+                const ForestTiles& tiles = all[h % all.size()];
+                const bool up = part != 4;
+                const ForestTile tile = tileAt(i, j, up, 9, tiles.colors);
+                const f64::vec2 at = f64::fromLattice({double(i), double(j)}, edge),
+                                centre = f64::fromLattice(f64::vec2(up ? 1.0 / 3 : 2.0 / 3), edge);
+                const double turn = turned && part > 2 ? glm::radians(120.0 * (h % 3)) : 0;
+                const glm::dmat2 way(std::cos(turn), std::sin(turn), -std::sin(turn), std::cos(turn));
+                for (const TileTree& t : part < 3 ? tiles.across(static_cast<EdgeFamily>(part), tile.colors[part])
+                                                  : tiles.within(tile.cell, up))
+                    v.crown(glm::dvec2(at.x + centre.x, at.y + centre.y) +
+                            way * (t.at - glm::dvec2(centre.x, centre.y)));
+            }
+    return v;
+}
+
+// What no number of tiles hides, since no tree stands across their corners; nor do tiles that are turned, since edges
+// have most of the trees.
+TEST(ForestStand, ManyMoreTilesOrTurnedOnesWouldNotHideTheLattice) {
+    const Peak many = latticePeak(ofManyTiles(false), 16), turned = latticePeak(ofManyTiles(true), 16);
+    std::printf("64 times as many tiles: %.3f (%.1f sigma); tiles in three turns: %.3f (%.1f)\n", many.most,
+                many.sigmas, turned.most, turned.sigmas);
+    EXPECT_LT(many.most, 0.1);
+    EXPECT_GT(many.sigmas, 4);
+    EXPECT_GT(turned.most, 0.15);
+    EXPECT_GT(turned.sigmas, 4);
+}
+
 TEST(ForestStand, SeenFromAboveItsLatticeIsHiddenBesideAPeriodicOnes) {
     const Peak wild = latticePeak(seenFromAbove(TileVariety::ThirtyTwo), 16),
                eight = latticePeak(seenFromAbove(TileVariety::Eight), 16), tame = latticePeak(periodic(), 16);
