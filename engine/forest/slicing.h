@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "forest/stand.h"
+#include "shared/forest.h"
 
 namespace sward {
 
@@ -17,6 +18,7 @@ struct Prism {
     glm::dvec3 normal{0, 1, 0};  // unit
     double slope = 0;            // metres a metre
     glm::vec2 canopy{1};         // TileInView::canopy
+    int rise = FOREST_LEVEL;     // TileInView::rise
     bool usable = true;          // forest may stand there (D-6): it has area, and is no cliff
 };
 // One a triangle of the stand, in its order.

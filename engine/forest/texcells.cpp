@@ -134,7 +134,7 @@ void addSlices(TexcellsView& view, const glm::dvec3& eye, const ForestHere& here
     tile.spacing = static_cast<float>(s.reach / s.count);
     tile.path = static_cast<float>(s.weight * s.reach / s.count / slab);
     tile.coarser = static_cast<float>(level - apart);
-    tile.canopy = p.canopy;
+    tile.canopy = p.canopy, tile.rise = p.rise;
     tile.stored = {static_cast<float>(t.tile.cell % cells), static_cast<float>(t.tile.cell / cells)};
     tile.up = t.tile.up;
     tile.slices = s.count;

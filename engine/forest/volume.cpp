@@ -51,7 +51,7 @@ void upload(Gpu& gpu, const std::string& owner, Volume& v, VolumeImages&& images
     v.levels = static_cast<int>(images.levels.size());
     v.slots = slotTexture(gpu, owner, images);
     const ForestAir& air = images.air;
-    v.light = makeTexture3D(gpu, owner, GL_RGBA8, air.side, air.side, air.layers);
+    v.light = makeTexture3D(gpu, owner, GL_RGBA8, air.side, air.side, FOREST_RISES * air.layers);
     v.images = std::move(images);
     v.images.levels.clear();
     v.sun = glm::vec3(0);
@@ -144,17 +144,21 @@ bool lightVolume(Volume& v, const glm::vec3& sun) {
         return std::accumulate(shares.begin(), end, 0.0f) / static_cast<float>(end - shares.begin());
     };
     v.floorSun = lowest(seen.past), v.floorSky = lowest(v.images.sky[0]);
-    std::vector<uint8_t> bytes(4 * seen.past.size());
+    const size_t parts = air.extinction.size();
+    std::vector<uint8_t> bytes(4 * parts * FOREST_RISES);
     const auto byte = [](float x) { return static_cast<uint8_t>(std::lround(std::clamp(x, 0.0f, 1.0f) * 255)); };
-    for (size_t i = 0; i < seen.past.size(); ++i) {
-        const float get = air.leavesGet(i);
-        bytes[4 * i] = byte(get * seen.past[i]);
-        bytes[4 * i + 1] = byte(get * v.images.sky[0][i]);
-        bytes[4 * i + 2] = byte(get * v.images.sky[1][i]);
-        bytes[4 * i + 3] = byte(get * seen.pastOwn[i]);
+    for (size_t k = 0; k < kRises.size(); ++k) {
+        const std::vector<float> others =
+            k == FOREST_LEVEL ? std::vector<float>() : lightPastOthers(air, glm::dvec3(sun), kRises[k]);
+        for (size_t i = 0; i < parts; ++i) {
+            const float get = air.leavesGet(i), past = others.empty() ? seen.past[i] : seen.pastOwn[i] * others[i];
+            uint8_t* to = &bytes[4 * (k * parts + i)];
+            to[0] = byte(get * past), to[3] = byte(get * seen.pastOwn[i]);
+            to[1] = byte(get * v.images.sky[0][i]), to[2] = byte(get * v.images.sky[1][i]);
+        }
     }
-    glTextureSubImage3D(v.light.id(), 0, 0, 0, 0, air.side, air.side, air.layers, GL_RGBA, GL_UNSIGNED_BYTE,
-                        bytes.data());
+    glTextureSubImage3D(v.light.id(), 0, 0, 0, 0, air.side, air.side, FOREST_RISES * air.layers, GL_RGBA,
+                        GL_UNSIGNED_BYTE, bytes.data());
     return true;
 }
 
@@ -173,7 +177,13 @@ void fillCanopies(Volume& v, const StandingForest& f, const glm::dvec3& sun) {
             sum.y += stands.at(at + glm::dvec2(std::cos(turn), std::sin(turn)) * (height * out));
         }
         v.prisms[i].canopy = sum / static_cast<float>(kSteps);
-        v.prisms[i].canopy.x *= static_cast<float>(onSlope(v.prisms[i].normal, sun));
+        // The nearest rise for which light is stored, and how much longer or shorter the way is than that.
+        const double longer = onSlope(v.prisms[i].normal, sun);
+        const auto off = [&](double rise) { return std::abs(std::log(rise * longer)); };
+        const auto rise =
+            std::min_element(kRises.begin(), kRises.end(), [&](double a, double b) { return off(a) < off(b); });
+        v.prisms[i].rise = static_cast<int>(rise - kRises.begin());
+        v.prisms[i].canopy.x *= static_cast<float>(longer * *rise);
     });
 }
 

@@ -27,9 +27,14 @@ struct Volume {
 
 // Has the textures show what the forest is, or a draft of it. owner: charged for their bytes.
 void ensureVolume(DrawContext& ctx, const std::string& owner, Volume& v, const ForestHere& here);
+// How steeply the sun's light comes down against slopes, as a factor of what it does on level ground: those for which
+// it is stored. A tile takes the nearest.
+inline constexpr std::array<double, FOREST_RISES> kRises = {0.3, 0.6, 1, 1.6};
+static_assert(kRises[FOREST_LEVEL] == 1);
 // Has the light be that of a sun in this direction (unit). True where it was another.
 bool lightVolume(Volume& v, const glm::vec3& sun);
-// How full the forest stands along the way to the sun, and all around as far as it is high: Prism::canopy.
+// How full the forest stands along the way to the sun, and all around as far as it is high: Prism::canopy;
+// and by which of kRises the sun's light comes.
 void fillCanopies(Volume& v, const StandingForest& f, const glm::dvec3& sun);
 
 }  // namespace sward

@@ -215,6 +215,47 @@ Facing facingOfAll(const ForestTiles& tiles, const std::vector<Mesh>& meshes) {
     return out;
 }
 
+// Optical depths on a way out of the air: through the part's own tree, and through the others.
+struct Depths {
+    double own = 0, others = 0;
+};
+// Calls body(part, depths) for each part of the air, on many threads. steeper: as in lightPastOthers.
+template <class F>
+void eachPart(const ForestAir& air, const glm::dvec3& towards, double steeper, F body) {
+    glm::dvec3 way = towards;
+    if (std::abs(way.y) < 0.01) way.y = way.y < 0 ? -0.01 : 0.01;
+    way = glm::normalize(way);
+    const double part = air.height / air.layers, across = air.cells * air.edge / air.side;
+    const double step = 0.5 * std::min(part, across), rise = way.y * steeper;
+    const f64::vec2 perMetre = f64::toLattice({way.x, way.z}, air.edge);
+    const double seen = static_cast<double>(seenFrom(air.facing, static_cast<float>(way.y)));
+    const size_t slab = static_cast<size_t>(air.side) * static_cast<size_t>(air.side);
+    const auto wrap = [&](double x) {
+        const int i = static_cast<int>(std::floor(x / air.cells * air.side));
+        return static_cast<size_t>(((i % air.side) + air.side) % air.side);
+    };
+    const auto owner = [&](size_t i) { return air.owners.empty() ? 0 : air.owners[i]; };
+    parallelFor(static_cast<size_t>(air.layers), [&](size_t layer) {
+        size_t i = layer * slab;
+        for (int y = 0; y < air.side; ++y)
+            for (int x = 0; x < air.side; ++x, ++i) {
+                const double u = air.cells * (x + 0.5) / air.side, v = air.cells * (y + 0.5) / air.side;
+                const double h = (static_cast<double>(layer) + 0.5) * part;
+                const int mine = owner(i % slab);
+                Depths d;
+                for (double t = 0.5 * step; d.own + d.others < 7; t += step) {
+                    const int l = static_cast<int>(std::floor((h + rise * t) / part));
+                    if (l < 0 || l >= air.layers) break;
+                    const size_t c =
+                        wrap(v + perMetre.y * t) * static_cast<size_t>(air.side) + wrap(u + perMetre.x * t);
+                    (owner(c) == mine ? d.own : d.others) +=
+                        seen * step * static_cast<double>(air.extinction[static_cast<size_t>(l) * slab + c]);
+                }
+                body(i, d);
+            }
+    });
+}
+
 }  // namespace
 
 void spreadPoints(const Mesh& mesh, const glm::dmat3& turn, double spacing,
@@ -270,44 +311,18 @@ ForestVolume bakeForest(const ForestTiles& tiles, const std::vector<Mesh>& meshe
 }
 
 LightShares lightThrough(const ForestAir& air, const glm::dvec3& towards) {
-    glm::dvec3 way = towards;
-    if (std::abs(way.y) < 0.01) way.y = way.y < 0 ? -0.01 : 0.01;
-    way = glm::normalize(way);
-    const double part = air.height / air.layers, across = air.cells * air.edge / air.side;
-    const double step = 0.5 * std::min(part, across);
-    const f64::vec2 perMetre = f64::toLattice({way.x, way.z}, air.edge);
-    const double seen = static_cast<double>(seenFrom(air.facing, static_cast<float>(way.y)));
-    const size_t slab = static_cast<size_t>(air.side) * static_cast<size_t>(air.side);
     LightShares out{std::vector<float>(air.extinction.size()), std::vector<float>(air.extinction.size())};
-    const auto column = [&](double u, double v) {
-        const auto wrap = [&](double x) {
-            const int i = static_cast<int>(std::floor(x / air.cells * air.side));
-            return static_cast<size_t>(((i % air.side) + air.side) % air.side);
-        };
-        return wrap(v) * static_cast<size_t>(air.side) + wrap(u);
-    };
-    const auto owner = [&](size_t i) { return air.owners.empty() ? 0 : air.owners[i]; };
-    parallelFor(static_cast<size_t>(air.layers), [&](size_t layer) {
-        size_t i = layer * slab;
-        for (int y = 0; y < air.side; ++y)
-            for (int x = 0; x < air.side; ++x, ++i) {
-                const double u = air.cells * (x + 0.5) / air.side, v = air.cells * (y + 0.5) / air.side;
-                const double h = (static_cast<double>(layer) + 0.5) * part;
-                const int mine = owner(i % slab);
-                double depth = 0, own = 0;
-                for (double t = 0.5 * step; depth < 7; t += step) {
-                    const int l = static_cast<int>(std::floor((h + way.y * t) / part));
-                    if (l < 0 || l >= air.layers) break;
-                    const size_t c = column(u + perMetre.x * t, v + perMetre.y * t);
-                    const double d =
-                        seen * step * static_cast<double>(air.extinction[static_cast<size_t>(l) * slab + c]);
-                    depth += d;
-                    if (owner(c) == mine) own += d;
-                }
-                out.past[i] = static_cast<float>(std::exp(-depth));
-                out.pastOwn[i] = static_cast<float>(std::exp(-own));
-            }
+    eachPart(air, towards, 1, [&](size_t i, const Depths& d) {
+        out.past[i] = static_cast<float>(std::exp(-d.own - d.others));
+        out.pastOwn[i] = static_cast<float>(std::exp(-d.own));
     });
+    return out;
+}
+
+std::vector<float> lightPastOthers(const ForestAir& air, const glm::dvec3& towards, double steeper) {
+    std::vector<float> out(air.extinction.size());
+    eachPart(air, towards, steeper,
+             [&](size_t i, const Depths& d) { out[i] = static_cast<float>(std::exp(-d.others)); });
     return out;
 }
 

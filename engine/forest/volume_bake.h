@@ -79,6 +79,10 @@ struct LightShares {
 };
 // From a direction (unit, y up, above the horizon or below); where it is level it is taken to rise by a hundredth.
 LightShares lightThrough(const ForestAir& air, const glm::dvec3& towards);
+// Of a direction above the horizon, past all but the part's own tree, on a slope: its ground bears all trees up with
+// it, so that light comes through the others' air as if it came down so many times as steeply (steeper, above 0),
+// though by a way as long. At 1: what is past divided by what is past the own tree.
+std::vector<float> lightPastOthers(const ForestAir& air, const glm::dvec3& towards, double steeper);
 // Shares of the sky's light, and of the ground's, that reach each part: means over directions above and below.
 std::array<std::vector<float>, 2> skyThrough(const ForestAir& air);
 

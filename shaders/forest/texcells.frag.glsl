@@ -27,6 +27,7 @@ flat in vec3 facing;
 in float path;
 in vec4 haze;
 flat in vec2 canopy;
+flat in int sunRise;
 flat in int level;
 layout(location = 0) out vec4 color;
 layout(location = 1) out float depth;
@@ -84,7 +85,7 @@ void main() {
     depth = gl_FragCoord.z;
     leaves = colorCorrected(leaves, path * tree.seen);
     // The stored air is full of trees; where fewer stand around, light comes through so much less of it.
-    vec4 shares = max(lightShares(uv, at), vec4(LEAST_LIGHT));
+    vec4 shares = max(lightShares(uv, at, sunRise), vec4(LEAST_LIGHT));
     vec2 around = pow(shares.gb, canopy.yy);
     around.x = oddsTimes(around.x, tree.skyward);
     vec3 below = frame.groundLight * (around.y * pow(max(forest.floor, LEAST_LIGHT), canopy.y)),

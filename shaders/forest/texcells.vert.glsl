@@ -22,6 +22,7 @@ flat out vec3 facing;  // unit normal of the slice
 out float path;        // slabs' heights that lie between two slices along the line of sight
 out vec4 haze;         // its colour; share of the light that it takes
 flat out vec2 canopy;  // TileInView::canopy
+flat out int sunRise;  // TileInView::rise
 flat out int level;    // TileInView::level
 
 // Corners in the cell, as edges' families are named by (numerics/forest.h).
@@ -64,6 +65,7 @@ void main() {
     path = t.path * slantFactor(facing.xzy, way.xzy);
     haze = vec4(hazeColor(position), hazeShare(distance));
     canopy = t.canopy;
+    sunRise = t.rise;
     level = t.level;
     cutAtWater(position.y);
     cutAtReach(t, t.corner[corner].w + rise);

@@ -34,7 +34,7 @@ struct Around {
 };
 Around lightAround() {
     if (!FOREST_VOLUMES) return Around(frame.skyLight, frame.groundLight, vec3(0.0));
-    vec4 shares = pow(max(lightShares(air.xy / forest.cells, air.z), vec4(LEAST_LIGHT)), vec4(around));
+    vec4 shares = pow(max(lightShares(air.xy / forest.cells, air.z, FOREST_LEVEL), vec4(LEAST_LIGHT)), vec4(around));
     vec3 above = frame.skyLight * shares.g,
          below = frame.groundLight * (shares.b * pow(max(forest.floor, LEAST_LIGHT), around));
     vec3 sun = SUN ? frame.sunLight * shares.r : vec3(0.0);

@@ -4,6 +4,10 @@
 #define FOREST_SLOTS 32
 #define FOREST_MOST_SLICES 512  // of a tile
 #define LEAST_LIGHT 0.002       // what 8 bits store as 0
+// Slopes for which the sun's light is stored: how steeply it comes down against the ground there, as a factor of what
+// it does on level ground (forest/volume.h, kRises), which is the third.
+#define FOREST_RISES 4
+#define FOREST_LEVEL 2
 #ifdef __cplusplus
 namespace sward {
 #endif
@@ -47,7 +51,7 @@ struct TileInView {
     int slices;      // it has
     int below;       // how many of them lie below the eye
     int level;       // the finer of the two levels
-    int padding;     // to 16 bytes, as arrays of buffers stride
+    int rise;        // which of FOREST_RISES the sun's light comes by
 };
 
 #ifdef __cplusplus

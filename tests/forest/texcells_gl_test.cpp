@@ -73,6 +73,30 @@ TEST(Texcells, AreAsBrightAsTheTruth) {
     }
 }
 
+// Ground that falls towards the sun or away from it, seen along the sun's way but from higher up: uphill trees stand
+// higher, in its way or below it.
+TEST(Texcells, OnSlopesTheyAreAsBrightInTheSunAsTheTruth) {
+    NoGlErrors errors;
+    for (const float rise : {-0.5f, 0.0f, 0.45f}) {  // metres a metre towards the sun
+        Project p = wood(TreeKind::Conifer, 0);
+        for (const char* name : {"sky", "haze"}) removeEntity(p, name);
+        Light& sun = *p.registry.get<Light>(findEntity(p, "sun"));
+        sun.azimuthDeg = 0, sun.elevationDeg = 38;
+        Terrain& ground = *p.registry.get<Terrain>(findEntity(p, "ground"));
+        ground.groundColor = glm::vec3(0);
+        Map m({64, 64, 1, PixelType::F32});
+        for (int z = 0; z < 64; ++z)
+            for (int x = 0; x < 64; ++x) m.set(x, z, 0, rise * (80 - 160 * (static_cast<float>(z) + 0.5f) / 64));
+        ground.height = field(m, "maps/slope.exr");
+        const ViewCamera eye{{80, 150, 160}, {80, 0, 80}, 40, 0};
+        const double truth = meanOf(traced(p, eye)).y, volumes = meanOf(drawn(p, eye)).y;
+        std::printf("ground that rises %.2f towards the sun: drawn %.4f, truth %.4f\n", static_cast<double>(rise),
+                    volumes, truth);
+        EXPECT_GT(truth, 0.002) << rise;
+        EXPECT_NEAR(volumes / truth, 1, 0.12) << rise;
+    }
+}
+
 // Low suns behind the trees: what is seen of leaves is lit by what shines through them.
 TEST(Texcells, GlowAgainstTheSunAsTheTruthDoesByVolumesAndByMeshes) {
     NoGlErrors errors;

@@ -152,6 +152,32 @@ TEST(ForestVolume, PastItsOwnTreeAloneMoreLightComes) {
     EXPECT_EQ(one.past, both.past);
 }
 
+TEST(ForestVolume, OnSlopesOthersTakeMoreOrLessOfTheSunAndTheOwnTreeAsMuch) {
+    ForestAir air{16, 32, 10, 8, {}};
+    air.extinction.assign(16 * 16 * 32, 0.3f);
+    for (int i = 0; i < 256; ++i) air.owners.push_back(static_cast<uint16_t>(i % 16 / 8));
+    const glm::dvec3 way(0.8, 0.6, 0);
+    const LightShares level = lightThrough(air, way);
+    const std::vector<float> same = lightPastOthers(air, way, 1), away = lightPastOthers(air, way, 0.5),
+                             towards = lightPastOthers(air, way, 2);
+    double darker = 0, brighter = 0;
+    for (size_t i = 0; i < same.size(); ++i) {
+        EXPECT_NEAR(same[i] * level.pastOwn[i], level.past[i], 1e-5f);
+        EXPECT_LE(away[i], same[i] + 1e-6f);
+        EXPECT_GE(towards[i], same[i] - 1e-6f);
+        darker = std::max(darker, double(same[i] - away[i]));
+        brighter = std::max(brighter, double(towards[i] - same[i]));
+    }
+    EXPECT_GT(darker, 0.1);
+    EXPECT_GT(brighter, 0.1);
+    // In air of others alone the way out is as much longer as the sun comes down less steeply.
+    air.owners.assign(256, 0);
+    air.owners[37] = 1;
+    air.extinction.assign(16 * 16 * 32, 0.02f);
+    const size_t low = 37;
+    EXPECT_NEAR(std::log(lightPastOthers(air, way, 0.5)[low]) / std::log(lightPastOthers(air, way, 1)[low]), 2, 0.15);
+}
+
 TEST(ForestVolume, LevelLeavesTakeMoreLightFromAboveThanFromTheSide) {
     ForestAir air{16, 32, 10, 8, {}};
     air.extinction.assign(16 * 16 * 32, 0.1f);
