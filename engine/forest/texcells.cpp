@@ -270,7 +270,7 @@ void place(DrawContext& ctx) {
         const bool stale = v.stood != here->stood;
         if (stale) v.prisms = prismsOf(*here), tellCliffs(*here, v.prisms);
         v.stood = here->stood;
-        if (lightVolume(v, sun) || stale) fillCanopies(v, *here->stand, glm::dvec3(sun));
+        if (lightVolume(v, sun) || stale) fillCanopies(v, *here->stand, glm::dvec3(sun)), lightSlopes(v);
         publish(ctx, v, *here);
         const std::vector<Choice> choices = inView(ctx, *here, v);
         view.batch = std::max<size_t>(choices.size() / kBatches, 32);

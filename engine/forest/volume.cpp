@@ -107,6 +107,23 @@ double onSlope(const glm::dvec3& normal, const glm::dvec3& sun) {
     return level > 1e-6 ? std::clamp(level / std::max(here, level / kMost), 1 / kMost, kMost) : 1;
 }
 
+// Has the texture hold the light on ground against which the sun's comes by one of kRises.
+void lightSlope(Volume& v, size_t rise) {
+    const ForestAir& air = v.images.air;
+    const std::vector<float> others =
+        rise == FOREST_LEVEL ? std::vector<float>() : lightPastOthers(air, glm::dvec3(v.sun), kRises[rise]);
+    std::vector<uint8_t> bytes(4 * air.extinction.size());
+    const auto byte = [](float x) { return static_cast<uint8_t>(std::lround(std::clamp(x, 0.0f, 1.0f) * 255)); };
+    for (size_t i = 0; i < air.extinction.size(); ++i) {
+        const float get = air.leavesGet(i), past = others.empty() ? v.past.past[i] : v.past.pastOwn[i] * others[i];
+        bytes[4 * i] = byte(get * past), bytes[4 * i + 3] = byte(get * v.past.pastOwn[i]);
+        bytes[4 * i + 1] = byte(get * v.images.sky[0][i]), bytes[4 * i + 2] = byte(get * v.images.sky[1][i]);
+    }
+    glTextureSubImage3D(v.light.id(), 0, 0, 0, static_cast<GLint>(rise) * air.layers, air.side, air.side, air.layers,
+                        GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+    v.lit[rise] = true;
+}
+
 }  // namespace
 
 void ensureVolume(DrawContext& ctx, const std::string& owner, Volume& v, const ForestHere& here) {
@@ -138,28 +155,20 @@ bool lightVolume(Volume& v, const glm::vec3& sun) {
     const ForestAir& air = v.images.air;
     v.foliage.clear();
     for (const TreeAir& tree : v.images.trees) v.foliage.emplace_back(tree.facing, sun);
-    const LightShares seen = lightThrough(air, glm::dvec3(sun));
+    v.past = lightThrough(air, glm::dvec3(sun));
     const auto lowest = [&](const std::vector<float>& shares) {
         const auto end = shares.begin() + static_cast<ptrdiff_t>(shares.size() / static_cast<size_t>(air.layers));
         return std::accumulate(shares.begin(), end, 0.0f) / static_cast<float>(end - shares.begin());
     };
-    v.floorSun = lowest(seen.past), v.floorSky = lowest(v.images.sky[0]);
-    const size_t parts = air.extinction.size();
-    std::vector<uint8_t> bytes(4 * parts * FOREST_RISES);
-    const auto byte = [](float x) { return static_cast<uint8_t>(std::lround(std::clamp(x, 0.0f, 1.0f) * 255)); };
-    for (size_t k = 0; k < kRises.size(); ++k) {
-        const std::vector<float> others =
-            k == FOREST_LEVEL ? std::vector<float>() : lightPastOthers(air, glm::dvec3(sun), kRises[k]);
-        for (size_t i = 0; i < parts; ++i) {
-            const float get = air.leavesGet(i), past = others.empty() ? seen.past[i] : seen.pastOwn[i] * others[i];
-            uint8_t* to = &bytes[4 * (k * parts + i)];
-            to[0] = byte(get * past), to[3] = byte(get * seen.pastOwn[i]);
-            to[1] = byte(get * v.images.sky[0][i]), to[2] = byte(get * v.images.sky[1][i]);
-        }
-    }
-    glTextureSubImage3D(v.light.id(), 0, 0, 0, 0, air.side, air.side, FOREST_RISES * air.layers, GL_RGBA,
-                        GL_UNSIGNED_BYTE, bytes.data());
+    v.floorSun = lowest(v.past.past), v.floorSky = lowest(v.images.sky[0]);
+    v.lit.fill(false);
+    lightSlope(v, FOREST_LEVEL);
     return true;
+}
+
+void lightSlopes(Volume& v) {
+    for (const Prism& p : v.prisms)
+        if (!v.lit[static_cast<size_t>(p.rise)]) lightSlope(v, static_cast<size_t>(p.rise));
 }
 
 void fillCanopies(Volume& v, const StandingForest& f, const glm::dvec3& sun) {

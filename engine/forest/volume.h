@@ -18,11 +18,13 @@ struct Volume {
     VolumeImages images;  // its levels are dropped once they are a texture
     int levels = 0;       // of the pyramid
     Texture slabs, slots, light;
-    glm::vec3 sun{0};                   // that the light is of
-    float floorSun = 1, floorSky = 1;   // shares of it, and of the sky's, that reach the lowest parts
-    std::vector<FoliageTable> foliage;  // under it, by species
-    std::vector<Prism> prisms;          // of StandingForest::triangles
-    Buffer globals;                     // of its light, for meshes
+    glm::vec3 sun{0};                      // that the light is of
+    LightShares past;                      // of it, on level ground
+    std::array<bool, FOREST_RISES> lit{};  // for which the texture has it
+    float floorSun = 1, floorSky = 1;      // shares of it, and of the sky's, that reach the lowest parts
+    std::vector<FoliageTable> foliage;     // under it, by species
+    std::vector<Prism> prisms;             // of StandingForest::triangles
+    Buffer globals;                        // of its light, for meshes
 };
 
 // Has the textures show what the forest is, or a draft of it. owner: charged for their bytes.
@@ -31,10 +33,13 @@ void ensureVolume(DrawContext& ctx, const std::string& owner, Volume& v, const F
 // it is stored. A tile takes the nearest.
 inline constexpr std::array<double, FOREST_RISES> kRises = {0.3, 0.6, 1, 1.6};
 static_assert(kRises[FOREST_LEVEL] == 1);
-// Has the light be that of a sun in this direction (unit). True where it was another.
+// Has the light be that of a sun in this direction (unit), on level ground alone. True where it was another.
 bool lightVolume(Volume& v, const glm::vec3& sun);
 // How full the forest stands along the way to the sun, and all around as far as it is high: Prism::canopy;
 // and by which of kRises the sun's light comes.
 void fillCanopies(Volume& v, const StandingForest& f, const glm::dvec3& sun);
+
+// Has the light for all slopes that its tiles have, after fillCanopies.
+void lightSlopes(Volume& v);
 
 }  // namespace sward
