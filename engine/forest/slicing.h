@@ -39,7 +39,7 @@ struct Slicing {
     double weight = 1;  // share of the light's path that they stand for
     bool tilted = false;
 };
-inline constexpr int kMostSlices = 512;  // of a tile
+inline constexpr int kMostSlices = FOREST_MOST_SLICES - 1;  // of a tile
 
 // Parallel to the ground, `slab` metres apart; eye: in the world.
 Slicing regularSlices(const Prism& p, const Reach& r, const glm::dvec3& eye, double slab);

@@ -25,7 +25,7 @@ constexpr double kLevelView = 1e-3;
 // Levels by which slices that face the eye show finer slabs than they lie apart: along the line of sight they follow
 // each other more closely, and slabs that are joined upwards hide less from the side than their trees do.
 constexpr int kTiltedFiner = 1;
-static_assert(kTreeSlots == FOREST_SLOTS && kMostSlices == FOREST_MOST_SLICES);
+static_assert(kTreeSlots == FOREST_SLOTS);
 
 struct TexcellsState : EffectState {
     std::map<std::string, Volume> volumes;  // by entity
@@ -41,7 +41,7 @@ struct TexcellsState : EffectState {
 struct Run {
     const ForestHere* here;
     const Volume* volume;
-    size_t tiles, first, slices;  // first: among all slices
+    size_t tiles, first, slices = 0;  // first: among all slices
 };
 struct TexcellsView : EffectState {
     Buffer tileBuffer, feetBuffer, sliceBuffer, globals;
@@ -123,6 +123,12 @@ float pixelAt1m(const DrawContext& ctx) {
     return static_cast<float>(2 * std::tan(glm::radians(double(ctx.camera.fovDeg)) / 2)) * ctx.globals.pixelShare.y;
 }
 
+// Fills up its last instance. Many small instances: of long lists of vertices llvmpipe clears all for each few.
+void endRun(TexcellsView& view) {
+    while (view.slices.size() % FOREST_CHUNK != 0) view.slices.push_back(FOREST_MOST_SLICES - 1);
+    if (!view.runs.empty()) view.runs.back().slices = view.slices.size() - view.runs.back().first;
+}
+
 void addSlices(TexcellsView& view, const glm::dvec3& eye, const ForestHere& here, const Volume& v,
                const ForestTriangle& t, const Prism& p, double level, const Slicing& s) {
     const int apart = static_cast<int>(level), cells = v.images.cells;
@@ -140,13 +146,13 @@ void addSlices(TexcellsView& view, const glm::dvec3& eye, const ForestHere& here
     tile.slices = s.count;
     tile.below = s.below;
     tile.level = whole;
-    if (view.runs.empty() || view.runs.back().volume != &v || view.runs.back().tiles >= view.batch)
-        view.runs.push_back({&here, &v, 0, view.slices.size(), 0});
+    if (view.runs.empty() || view.runs.back().volume != &v || view.runs.back().tiles >= view.batch) {
+        endRun(view);
+        view.runs.push_back({&here, &v, 0, view.slices.size()});
+    }
     view.runs.back().tiles += 1;
-    view.runs.back().slices += static_cast<size_t>(s.count);
-    for (int k = 0; k < s.count; ++k)
-        view.slices.push_back(static_cast<uint32_t>(view.inView.size()) * FOREST_MOST_SLICES +
-                              static_cast<uint32_t>(k));
+    const uint32_t first = static_cast<uint32_t>(view.inView.size()) * FOREST_MOST_SLICES;
+    for (int k = 0; k < s.count; ++k) view.slices.push_back(first + static_cast<uint32_t>(k));
     view.inView.push_back(tile);
 }
 
@@ -276,6 +282,7 @@ void place(DrawContext& ctx) {
         view.batch = std::max<size_t>(choices.size() / kBatches, 32);
         for (const Choice& c : choices) addTile(ctx, view, *here, v, c);
     }
+    endRun(view);
     drawShadeMap(ctx, s, sun);
     publishShade(ctx);
     writeBuffer(ctx.gpu, view.tileBuffer, kOwner, view.inView.size() * sizeof(TileInView), view.inView.data());
@@ -312,7 +319,8 @@ void draw(DrawContext& ctx) {
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_FOREST_FEET, view.feetBuffer.id());
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_FOREST_SLICES, view.sliceBuffer.id());
         glBindVertexArray(ctx.own<TexcellsState>().noVertices.id());
-        glDrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * run.first), static_cast<GLsizei>(3 * run.slices));
+        glUniform1i(0, static_cast<GLint>(run.first));
+        glDrawArraysInstanced(GL_TRIANGLES, 0, 3 * FOREST_CHUNK, static_cast<GLsizei>(run.slices / FOREST_CHUNK));
         ctx.pass->draws += 1;
         ctx.pass->instances += run.tiles;
     }

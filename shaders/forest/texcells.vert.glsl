@@ -10,9 +10,11 @@
 #include "shared/forest.h"
 
 layout(std430, binding = SSBO_FOREST_TILES) readonly buffer TilesBlock { TileInView tiles[]; };
-// Of all slices, in the order in which they are drawn: FOREST_MOST_SLICES times the tile, and its slice.
+// Of all slices, in the order in which they are drawn: FOREST_MOST_SLICES times the tile, and its slice; FOREST_CHUNK
+// each instance, the last ones filled up with slices that no tile has.
 layout(std430, binding = SSBO_FOREST_SLICES) readonly buffer SlicesBlock { uint slices[]; };
 layout(std140, binding = UBO_FOREST) uniform ForestBlock { ForestGlobals forest; };
+layout(location = 0) uniform int first;  // slice of the draw
 
 out vec3 position;     // relative to the eye
 out vec2 stored;       // lattice coordinates in the cells that repeat
@@ -42,7 +44,7 @@ void cutAtReach(TileInView t, float over) {
 }
 
 void main() {
-    uint which = slices[gl_VertexID / 3];
+    uint which = slices[first + gl_InstanceID * FOREST_CHUNK + gl_VertexID / 3];
     number = int(which / uint(FOREST_MOST_SLICES));
     TileInView t = tiles[number];
     int k = int(which % uint(FOREST_MOST_SLICES)), corner = gl_VertexID % 3;
@@ -69,5 +71,5 @@ void main() {
     level = t.level;
     cutAtWater(position.y);
     cutAtReach(t, t.corner[corner].w + rise);
-    gl_Position = frame.viewProj * vec4(position, 1.0);
+    gl_Position = k < t.slices ? frame.viewProj * vec4(position, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
 }

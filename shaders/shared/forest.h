@@ -3,6 +3,7 @@
 #include "shared/types.h"
 #define FOREST_SLOTS 32
 #define FOREST_MOST_SLICES 512  // of a tile
+#define FOREST_CHUNK 64         // slices of an instance
 #define LEAST_LIGHT 0.002       // what 8 bits store as 0
 // Slopes for which the sun's light is stored: how steeply it comes down against the ground there, as a factor of what
 // it does on level ground (forest/volume.h, kRises), which is the third.
