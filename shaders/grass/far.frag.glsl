@@ -62,12 +62,22 @@ vec2 laidSeen(vec3 toEye, float vertical) {
     return vec2(laidBy(f), f.z) * mix(laidBy(forceSeen(toEye, slices.meanHeight * slices.cellSize)), 1.0, vertical);
 }
 
+// The direction towards the eye as it is to the ground, which falls towards the eye or away from it: a hillside that
+// faces the eye shows its grass as from above. slope: of the ground, metres a metre along x and z.
+vec3 overSlope(vec3 toEye, vec2 slope) {
+    float level = max(length(toEye.xz), 1e-4);
+    vec2 way = toEye.xz / level;
+    return normalize(vec3(way, max(toEye.y / level - dot(slope, way), 0.0)).xzy);
+}
+
 void main() {
+    vec3 face = cross(dFdx(position), dFdy(position));  // before pixels part
+    vec2 slope = -face.xz / (abs(face.y) > 1e-12 ? face.y : 1e-12);
     if (TERRAIN_BEYOND && beyondBy(place, frame.terrainSize) > 0.0) discard;  // of nodes that reach over the edge
     Repeated r = repeated(position.xz);
     vec2 uv = mapPlace(place);
     float d = length(position);
-    vec3 toEye = -position / max(d, 1e-4);
+    vec3 toEye = -position / max(d, 1e-4), seen = overSlope(toEye, clamp(slope, vec2(-4.0), vec2(4.0)));
     float density = sliceDensity(densityAlong(uv), lodRamp(d, slices.minGeom, slices.geomInv));
     BladeStand stand = standHere(uv);
     vec2 lean = leanOf(stand, vec2(0.0)).lean;
@@ -77,7 +87,7 @@ void main() {
                                                      : 0.0;
     vec4 stored;
     vec2 laid = laidSeen(toEye, vertical);
-    float alpha = farOpacity(sliceThreshold, r, density, bladeShareSeen(uv), toEye.y, vertical, laid.x, stored);
+    float alpha = farOpacity(sliceThreshold, r, density, bladeShareSeen(uv), seen.y, vertical, laid.x, stored);
     // Where pixels are covered by samples, soil shows between blades as it does between near ones, not as a veil.
     // Else it is blended: it lies alone, and needs no order.
     gl_SampleMask[0] = -1;
@@ -90,8 +100,8 @@ void main() {
     BladeLean l = leanOf(stand, vec2(0.0));
     float plain = slices.reflectScale * darkened(d) * l.lighter;
     FarLit lit = FarLit(levelSun(), kLevel, position, kOnGround, slices.farAmbient * skyShare(uv),
-                        sunVisible(position, kOnGround), plain * sliceGain(toEye, l.lean, laid.y, true),
-                        plain * laidGain(lookTap(toEye), laid.y));
+                        sunVisible(position, kOnGround), plain * sliceGain(seen, l.lean, laid.y, true),
+                        plain * laidGain(lookTap(seen), laid.y));
     vec3 light = clamp(farRadiance(sliceLight, r, leaf, stored.zw, lit), vec3(0.0), vec3(kBrightest));
     color = vec4(mix(light, hazeColor(position), hazeShare(d)), alpha);
     if (viewMode() == VIEW_TIERS) color.rgb = vec3(0.05, 0.75, 0.1);
