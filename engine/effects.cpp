@@ -21,6 +21,7 @@
 #include "post/far_blur.h"
 #include "post/map_overlay.h"
 #include "post/tonemap.h"
+#include "reference/traced_light.h"
 #include "sky/atmosphere.h"
 #include "sky/lamps.h"
 #include "sky/sky.h"
@@ -36,16 +37,17 @@ namespace sward {
 
 std::span<const EffectRow> effectRows() {
     static const EffectRow kRows[] = {
-        sunEffect(),       skyEffect(),           hazeEffect(),         atmosphereEffect(),  lampsEffect(),  // light
-        windEffect(),      gustsEffect(),         groundEffect(),       groundDepthEffect(), shadeEffect(),
-        lampHillsEffect(),                                                                   // ground
-        meshEffect(),      scatterEffect(),       shadowEffect(),       lampShadowEffect(),  // objects
-        forestEffect(),    treesEffect(),         texcellsEffect(),                          // forest
-        forcesEffect(),    forceOutlinesEffect(), maskEffect(),         fieldEffect(),       farDarkeningEffect(),
-        uniqueEffect(),    geometryEffect(),      groundShadowEffect(), farEffect(),         farShadowEffect(),
-        slicesEffect(),    raytracedEffect(),     tessellatedEffect(),  meshGrassEffect(),   flowersEffect(),  // grass
-        waterEffect(),     reflectionEffect(),                                                                 // water
-        farBlurEffect(),   tonemapEffect(),       mapOverlayEffect(),   decalEffect(),  // the screen
+        sunEffect(),          skyEffect(),           hazeEffect(),       atmosphereEffect(),   lampsEffect(),  // light
+        windEffect(),         gustsEffect(),         groundEffect(),     groundDepthEffect(),  shadeEffect(),
+        lampHillsEffect(),                                                                    // ground
+        meshEffect(),         scatterEffect(),       shadowEffect(),     lampShadowEffect(),  // objects
+        forestEffect(),       treesEffect(),         texcellsEffect(),                        // forest
+        forcesEffect(),       forceOutlinesEffect(), maskEffect(),       tracedEffect(),       fieldEffect(),
+        farDarkeningEffect(), uniqueEffect(),        geometryEffect(),   groundShadowEffect(), farEffect(),
+        farShadowEffect(),    slicesEffect(),        raytracedEffect(),  tessellatedEffect(),  meshGrassEffect(),
+        flowersEffect(),                                                                 // grass
+        waterEffect(),        reflectionEffect(),                                        // water
+        farBlurEffect(),      tonemapEffect(),       mapOverlayEffect(), decalEffect(),  // the screen
     };
     return kRows;
 }

@@ -45,6 +45,7 @@ constexpr FeatureSwitch kSwitches[] = {
     {Feature::Translucency, kField, "translucency", "0", "species"},
     {Feature::Gloss, kField, "gloss", "0", "species"},
     {Feature::BladeShadows, kDrawing, "shadowMask", "0"},
+    {Feature::GrassTraced, kDrawing, "bakeLight", "local"},
     {Feature::GroundShadows, kDrawing, "groundShadows", "false"},
     {Feature::Objects, kMesh, "file"},
     {Feature::ObjectShadows, kMesh, "castShadows", "false"},

@@ -1,5 +1,7 @@
 #include "frame/color_image.h"
 
+#include <bit>
+
 #include "core/log.h"
 #include "core/numerics.h"
 #include "maps/map_io.h"
@@ -114,11 +116,39 @@ void dilateColor(Rgba8& image) {
     }
 }
 
-Texture makeColorTexture(Gpu& gpu, const std::string& owner, const Rgba8& image, bool repeat) {
-    Texture t = makeTexture2D(gpu, owner, GL_SRGB8_ALPHA8, image.width, image.height, 0, repeat);
+namespace {
+Texture uploadColors(Gpu& gpu, const std::string& owner, const Rgba8& image, int levels, bool repeat) {
+    Texture t = makeTexture2D(gpu, owner, GL_SRGB8_ALPHA8, image.width, image.height, levels, repeat);
     glTextureSubImage2D(t.id(), 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
     glGenerateTextureMipmap(t.id());
     return t;
+}
+}  // namespace
+
+Texture makeColorTexture(Gpu& gpu, const std::string& owner, const Rgba8& image, bool repeat) {
+    return uploadColors(gpu, owner, image, 0, repeat);
+}
+
+Rgba8 withRows(const Rgba8& image, int rows) {
+    if (image.height >= rows) return image;
+    const size_t row = static_cast<size_t>(image.width) * 4;
+    Rgba8 out{image.width, rows, std::vector<uint8_t>(row * static_cast<size_t>(rows))};
+    for (int y = 0; y < rows; ++y) {
+        const float at = std::clamp((static_cast<float>(y) + 0.5f) * static_cast<float>(image.height) / rows - 0.5f,
+                                    0.0f, static_cast<float>(image.height - 1));
+        const int below = static_cast<int>(at), above = std::min(below + 1, image.height - 1);
+        const uint8_t *a = image.pixels.data() + row * static_cast<size_t>(below),
+                      *b = image.pixels.data() + row * static_cast<size_t>(above);
+        for (size_t i = 0; i < row; ++i)
+            out.pixels[row * static_cast<size_t>(y) + i] =
+                static_cast<uint8_t>(std::lround(std::lerp(float(a[i]), float(b[i]), at - static_cast<float>(below))));
+    }
+    return out;
+}
+
+Texture makeBladeTexture(Gpu& gpu, const std::string& owner, const Rgba8& image) {
+    const int widest = std::bit_width(static_cast<unsigned>(image.width)) - 1;  // level at which it is a texel wide
+    return uploadColors(gpu, owner, withRows(image, kBladeRows << widest), widest + 1, false);
 }
 
 }  // namespace sward

@@ -54,6 +54,7 @@ size_t drawNodes(const GroundMesh& mesh, std::span<const TerrainNode> nodes, con
 struct GrownFields;   // grass/grown.h
 struct GrassFields;   // grass/field.h
 struct MaskState;     // grass/mask.h
+struct TracedState;   // grass/traced.h
 struct ForestsState;  // forest/stand.h
 struct AirTables;     // sky/air_tables.h
 struct Force;         // world/forces.h
@@ -71,6 +72,7 @@ struct SharedByViews {
     HeightBounds bounds;
     GLuint heights = 0;  // the height map's texture; 0: flat
     MaskState* masks = nullptr;
+    const TracedState* traced = nullptr;
     GrownFields* grown = nullptr;
     ForestsState* forests = nullptr;
     const AirTables* air = nullptr;  // of the sky's model "atmosphere"

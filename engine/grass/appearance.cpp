@@ -21,14 +21,14 @@ float opaqueShareAt(const Rgba8& image, float v) {
     return static_cast<float>(sum) / (255.0f * image.width);
 }
 
-float lengthOf(const Blade& b) {
+// Length of a blade's quarter p of kPoints: its curve is not run through evenly.
+float lengthOfPart(const Blade& b, int p) {
+    constexpr int kPieces = 4;
+    const auto at = [&](int i) {
+        return f32::bladePosition(b.control, b.tip, static_cast<float>(kPieces * p + i) / (kPieces * kPoints));
+    };
     float sum = 0;
-    glm::vec3 last(0);
-    for (int i = 1; i <= 8; ++i) {
-        const glm::vec3 next = f32::bladePosition(b.control, b.tip, static_cast<float>(i) / 8);
-        sum += glm::length(next - last);
-        last = next;
-    }
+    for (int i = 0; i < kPieces; ++i) sum += glm::length(at(i + 1) - at(i));
     return sum;
 }
 
@@ -80,10 +80,7 @@ struct Mean {
 
 // Share of light from a direction that reaches a point among its neighbours.
 float passes(const Posed& p, const FieldLight& l, const glm::vec3& light) {
-    if (!l.shade || l.shade->rows.empty()) return p.open;
-    const f32::MaskPoint at = f32::maskPointOf({0, p.height, 0}, {1, 0}, light, l.shade->radius, l.shade->top);
-    const size_t n = l.shade->rows.size();
-    return l.shade->rows[std::min(static_cast<size_t>(at.height * static_cast<float>(n)), n - 1)];
+    return !l.shade || l.shade->rows.empty() ? p.open : maskPasses(*l.shade, p.height, light);
 }
 
 glm::vec3 bladeLight(const Posed& p, const glm::vec3& e, const FieldLight& l) {
@@ -140,7 +137,18 @@ void eachSeen(const std::vector<Posed>& points, const glm::vec3& e, F see) {
     }
 }
 
-Mean asBlades(const std::vector<Posed>& points, const glm::vec3& e, const FieldLight& l) {
+// The light as it counts in the mean for blades that are seen along e.
+FieldLight tracedAlong(const FieldLight& light, const glm::vec3& e) {
+    FieldLight l = light;
+    if (!l.traced) return l;
+    l.sky *= tracedRise(l.traced->sky, e.y), l.ground *= tracedRise(l.traced->ground, e.y);
+    if (l.shade)
+        for (auto& [direction, color] : l.suns) color *= tracedDirect(*l.traced, e, direction);
+    return l;
+}
+
+Mean asBlades(const std::vector<Posed>& points, const glm::vec3& e, const FieldLight& light) {
+    const FieldLight l = tracedAlong(light, e);
     Mean m;
     eachSeen(points, e, [&](const Posed& p, float seen) {
         const float w = p.area * std::abs(glm::dot(p.normal, e)) * seen;
@@ -187,7 +195,7 @@ glm::vec3 viewOf(int i) {
 }
 
 // Where there is no light, 1.
-float quotient(float a, float b, float least = 0.2f) { return b > 1e-9f ? std::clamp(a / b, least, 5.0f) : 1.0f; }
+float quotient(float a, float b, float least = 0.02f) { return b > 1e-9f ? std::clamp(a / b, least, 5.0f) : 1.0f; }
 glm::vec3 quotient(const glm::vec3& a, const glm::vec3& b) {
     return {quotient(a.x, b.x), quotient(a.y, b.y), quotient(a.z, b.z)};
 }
@@ -199,6 +207,12 @@ std::array<glm::vec4, LOOK_VIEWS> laidGains(const Look& look, const FieldLight& 
     const auto standing = posed(look, glm::vec2(0), look.clumpLean), laid = posed(look, glm::vec2(0), 0, 1);
     const BladeShade none{.rows = {1.0f}};
     FieldLight open = light;
+    TracedLight indirect;  // light from all around is as among blades that stand, direct light as without them
+    if (light.traced) {
+        indirect = *light.traced, indirect.direct = {};
+        indirect.direct[0] = glm::vec3(1);
+        open.traced = &indirect;
+    }
     if (light.shade) open.shade = &none;
     std::array<glm::vec4, LOOK_VIEWS> out;
     for (int i = 0; i < LOOK_VIEWS; ++i)
@@ -208,6 +222,12 @@ std::array<glm::vec4, LOOK_VIEWS> laidGains(const Look& look, const FieldLight& 
 }
 
 }  // namespace
+
+float maskPasses(const BladeShade& shade, float height, const glm::vec3& light) {
+    const f32::MaskPoint at = f32::maskPointOf({0, height, 0}, {1, 0}, light, shade.radius, shade.top);
+    const size_t n = shade.rows.size();
+    return shade.rows[std::min(static_cast<size_t>(at.height * static_cast<float>(n)), n - 1)];
+}
 
 void updateLook(Look& look, uint64_t& madeFrom, const Species& s, const Patch& patch, uint64_t key,
                 const Rgba8& blade) {
@@ -222,7 +242,6 @@ void updateLook(Look& look, uint64_t& madeFrom, const Species& s, const Patch& p
     const size_t n = std::min<size_t>(patch.blades.size(), kBlades);
     for (size_t i = 0; i < n; ++i) {
         const Blade& b = patch.blades[i * patch.blades.size() / n];
-        const float length = lengthOf(b);
         look.height += b.tip.y / static_cast<float>(n);
         for (int p = 0; p < kPoints; ++p) {
             const float v = (static_cast<float>(p) + 0.5f) / kPoints, open = glm::mix(s.rootOcclusion, 1.0f, v);
@@ -230,7 +249,7 @@ void updateLook(Look& look, uint64_t& madeFrom, const Species& s, const Patch& p
                 f32::bladeTint(f32::bladeGradient(s.rootColor, s.midColor, s.tipColor, v), b.hue, b.lightness);
             look.points.push_back(
                 {color, b.control, b.tip, b.facing, v,
-                 b.width * opaqueShareAt(blade, v) * length / kPoints * s.bladesPerM2 / static_cast<float>(n), open});
+                 b.width * opaqueShareAt(blade, v) * lengthOfPart(b, p) * s.bladesPerM2 / static_cast<float>(n), open});
         }
     }
     // Values of clumps are noise in [-1, 1] of deviation 0.4.

@@ -14,6 +14,7 @@
 #include "frame/color_image.h"
 #include "frame/draw_context.h"
 #include "grass/slice_settings.h"
+#include "grass/traced.h"
 #include "scene/population.h"
 #include "shared/slices.h"
 
@@ -25,6 +26,10 @@ struct BladeShade {
     float radius = 0, top = 0;  // of the mask's cylinder, metres
     std::vector<float> rows;    // mean of the mask's rows at density 1, from the ground up
 };
+
+// Share of light from a direction (unit, towards it) that the neighbours leave at density 1 to a point so high over the
+// ground (m), in the mean around the blade.
+float maskPasses(const BladeShade& shade, float height, const glm::vec3& light);
 
 // A point of a blade that stands for others.
 struct LookPoint {
@@ -55,6 +60,7 @@ struct FieldLight {
     glm::vec3 sky, ground;                                // as FrameGlobals
     std::vector<std::pair<glm::vec3, glm::vec3>> suns;    // towards the light (unit), colour
     float roughness = 0.5f, gloss = 0, translucency = 0;  // of the leaves
+    const TracedLight* traced = nullptr;                  // light from blade to blade; null: none
     const BladeShade* shade = nullptr;  // how blades shade blades in direct light; null: depth below the tips does
     LightWeighting weighting = LightWeighting::Cosine;  // how slices weigh their images
     float lean = 0;        // that paint or wind gives, m per m: where their change is taken; 0: neither is there

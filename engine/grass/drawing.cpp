@@ -16,6 +16,9 @@ ComponentRow grassDrawingRow() {
         whole("shadowMask", offsetof(GrassDrawing, shadowMask), "texels", {0, 1024, 0, 256},
               "width of the mask by which blades shade blades; 0: they do not"),
         flag("groundShadows", offsetof(GrassDrawing, groundShadows), "blades shade the ground"),
+        choice("bakeLight", &GrassDrawing::bakeLight, offsetof(GrassDrawing, bakeLight), kBakeLights,
+               "how blades light each other: local: by shadow mask and depth alone; traced: with light from blade to "
+               "blade, traced once a species"),
     };
     ComponentRow row =
         settingsRow<GrassDrawing>("GrassDrawing", "How blades and their images are drawn.", kFields, "GrassField");

@@ -1,5 +1,6 @@
 #include "grass/field.h"
 
+#include "core/hash.h"
 #include "core/numerics.h"
 #include "grass/cells.h"
 #include "grass/drawing.h"
@@ -14,6 +15,15 @@ namespace sward {
 namespace {
 
 constexpr const char* kOwner = "grass/field";
+
+// Of light that comes down to the soil from the sky, and of the sun's from blade to blade (SpeciesInField); where
+// nothing was traced, of the sky as much as of the sun.
+glm::vec2 indirect(const DrawContext& ctx, const Field& field, size_t species) {
+    const float sun = ctx.globals.sunDirection.y;
+    const TracedLight* traced = field.draws(Feature::GrassTraced) ? tracedOf(ctx, field.grown->name, species) : nullptr;
+    if (!traced) return {lightLeft(field.grown->species[species]->look, sun), 0};
+    return {traced->soilSky, soilScattered(*traced, sun)};
+}
 
 void writeGlobals(DrawContext& ctx, Field& field) {
     const GrassField& f = field.grows();
@@ -31,9 +41,16 @@ void writeGlobals(DrawContext& ctx, Field& field) {
     for (size_t i = 0; i < field.species.size(); ++i)
         globals.species[i] = {shaderTiling(t, f.species[i].densityTiling),
                               lightLeft(field.species[i].grown->look, ctx.globals.sunDirection.y),
-                              field.species[i].grown->look.height, wind ? windStrength(*wind, f.species[i]) : 0};
+                              field.species[i].grown->look.height,
+                              wind ? windStrength(*wind, f.species[i]) : 0,
+                              indirect(ctx, field, i).x,
+                              indirect(ctx, field, i).y,
+                              glm::vec2(0)};
     globals.shadeFrom = tiers.soil.min, globals.shadeInv = tiers.soil.inv;
     globals.farDarkening = far.farDarkening, globals.farDarkeningAt = far.farDarkeningDistance;
+    const uint64_t hash = hashBytes(&globals, sizeof(globals));
+    if (field.globals.id() && field.globalsHash == hash) return;
+    field.globalsHash = hash;
     writeBuffer(ctx.gpu, field.globals, kOwner, sizeof(globals), &globals);
 }
 
@@ -69,7 +86,10 @@ void publishSoil(DrawContext& ctx, GrassFields& grass) {
             const GrownSpecies& s = *field.grown->species[k];
             g.species[species] = {lightLeft(s.look, ctx.globals.sunDirection.y),
                                   shaderTiling(t, f.species[k].densityTiling),
-                                  {s.look.across, s.look.above}};
+                                  {s.look.across, s.look.above},
+                                  indirect(ctx, field, k).x,
+                                  indirect(ctx, field, k).y,
+                                  glm::vec2(0)};
             numbers.back().density.push_back(soilMap(soil, f.species[k].density.present() ? s.density : 0));
         }
     }
@@ -116,7 +136,10 @@ void update(DrawContext& ctx) {
 }
 
 const System kSystems[] = {
-    {"grass/field/grown", {.reads = {Slot::Ground, Slot::Masks}, .writes = {Slot::Grown}}, growFields, true},
+    {"grass/field/grown",
+     {.reads = {Slot::Sun, Slot::Ground, Slot::Masks, Slot::Traced}, .writes = {Slot::Grown}},
+     growFields,
+     true},
     {"grass/field", {.reads = {Slot::Sun, Slot::Ground, Slot::Grown}, .writes = {Slot::Grass}}, update}};
 
 }  // namespace

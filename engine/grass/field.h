@@ -49,6 +49,7 @@ struct Field {
     std::optional<GrassView> view;  // of the frame that is drawn
     std::vector<FieldSpecies> species;
     Buffer globals;  // FieldGlobals
+    uint64_t globalsHash = 0;
     const GrassField& grows() const { return view->of.grows; }
     bool draws(Feature f) const { return has(view->own, f); }
 };

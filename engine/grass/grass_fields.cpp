@@ -136,7 +136,8 @@ FeatureSet settingsFeatures(const FieldEntity& field, const FeatureSet& drawn) {
     const bool blades = has(drawn, Feature::GrassGeometry) || has(drawn, Feature::GrassTessellated);
     FeatureSet s;
     if (drawing.transparency != Transparency::Coverage) s |= featureSet(Feature::GrassBlended);
-    if ((stands || blades) && drawing.shadowMask > 0) s |= featureSet(Feature::BladeShadows);
+    if (drawn.any() && drawing.shadowMask > 0) s |= featureSet(Feature::BladeShadows);
+    if (has(s, Feature::BladeShadows) && drawing.bakeLight == BakeLight::Traced) s |= featureSet(Feature::GrassTraced);
     if (stands && drawing.groundShadows) s |= featureSet(Feature::GroundShadows);
     if (blades && field.grows.population == Population::Unique) s |= featureSet(Feature::GrassUnique);
     if (far.farBlur != FarBlur::None) s |= featureSet(Feature::FarBlur);
@@ -148,7 +149,9 @@ FeatureSet settingsFeatures(const FieldEntity& field, const FeatureSet& drawn) {
 FeatureSet meshFeatures(const FieldEntity& field) {
     FeatureSet s = featureSet(Feature::Grass, Feature::GrassOnMeshes);
     s |= populationFeatures(field.grows) & featureSet(Feature::GrassClumps, Feature::Translucency, Feature::Gloss);
-    if (field.settings<GrassDrawing>().shadowMask > 0) s |= featureSet(Feature::BladeShadows);
+    const auto& drawing = field.settings<GrassDrawing>();
+    if (drawing.shadowMask > 0) s |= featureSet(Feature::BladeShadows);
+    if (has(s, Feature::BladeShadows) && drawing.bakeLight == BakeLight::Traced) s |= featureSet(Feature::GrassTraced);
     return s | (settingsFeatures(field, {}) & featureSet(Feature::GrassBlended));
 }
 

@@ -38,13 +38,13 @@ void updateTexture(DrawContext& ctx, GrownSpecies& s, const Species& species) {
     s.textureOf = species.texture;
     s.bladeImage = bladeImage(ctx.project, species);
     s.bladeHash = hashBytes(s.bladeImage.pixels.data(), s.bladeImage.pixels.size());
-    s.bladeTexture = makeColorTexture(ctx.gpu, kOwner, s.bladeImage, false);
+    s.bladeTexture = makeBladeTexture(ctx.gpu, kOwner, s.bladeImage);
 }
 
 void writeGlobals(DrawContext& ctx, GrownSpecies& s, const GrownField& field, size_t index) {
     const GrassField& f = field.grows();
     const Species& sp = f.species[index];
-    SpeciesGlobals g;
+    SpeciesGlobals g{};
     g.rootColor = sp.rootColor, g.midColor = sp.midColor, g.tipColor = sp.tipColor;
     g.rootOpen = sp.rootOcclusion;
     g.leanAtFull = leanAtFull(sp);
@@ -60,7 +60,12 @@ void writeGlobals(DrawContext& ctx, GrownSpecies& s, const GrownField& field, si
     g.spread = sown.spread, g.step = sown.step, g.sownShare = sown.share;
     g.sowSeed = sowingSeed(sp, g.seed);
     g.area = {s.look.across, s.look.above};
+    setTraced(g, field.draws(Feature::GrassTraced) ? tracedOf(ctx, field.name, index) : nullptr,
+              ctx.globals.sunDirection);
     g.maskRadius = s.shade.radius, g.maskHeight = s.shade.top;
+    const uint64_t hash = hashBytes(&g, sizeof(g));
+    if (s.globals.id() && s.globalsHash == hash) return;
+    s.globalsHash = hash;
     writeBuffer(ctx.gpu, s.globals, kOwner, sizeof(g), &g);
 }
 

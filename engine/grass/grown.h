@@ -23,6 +23,7 @@ struct GrownSpecies {
     const Patch& drawn() const { return unique.empty() ? patch : unique.patch; }
     uint64_t drawnKey() const { return unique.empty() ? key : uniqueKey; }
     Buffer globals;  // SpeciesGlobals
+    uint64_t globalsHash = 0;
     Rgba8 bladeImage;
     uint64_t bladeHash = 0;  // of the image: hashed when it is loaded, not each frame
     Texture bladeTexture;

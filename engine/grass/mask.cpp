@@ -115,17 +115,6 @@ Texture uploadMask(Gpu& gpu, const BladeMask& m) {
     return t;
 }
 
-// Mean of each row at density 1.
-std::vector<float> rowMeans(const BladeMask& m) {
-    std::vector<float> rows(static_cast<size_t>(m.height), 0.0f);
-    for (int y = 0; y < m.height; ++y)
-        for (int x = 0; x < m.width; ++x)
-            rows[static_cast<size_t>(y)] +=
-                static_cast<float>(m.pixels[static_cast<size_t>((y * m.width + x) * 4 + 3)]) /
-                (255.0f * static_cast<float>(m.width));
-    return rows;
-}
-
 void updateMask(DrawContext& ctx, MaskState::One& one, const Species& species, const FieldEntity& field) {
     const GrassField& f = field.grows;
     const int width = field.settings<GrassDrawing>().shadowMask;
@@ -136,7 +125,7 @@ void updateMask(DrawContext& ctx, MaskState::One& one, const Species& species, c
     one.key = key;
     const BladeMask mask = makeBladeMask(species, makePatch(species, f.cellSize, seed), f.cellSize, width);
     one.texture = uploadMask(ctx.gpu, mask);
-    one.shade = {one.texture.id(), mask.radius, mask.top, rowMeans(mask)};
+    one.shade = {one.texture.id(), mask.radius, mask.top, maskRows(mask)};
 }
 
 void update(DrawContext& ctx) {
@@ -174,6 +163,16 @@ BladeMask makeBladeMask(const Species& species, const Patch& patch, float cellSi
                 m.pixels[static_cast<size_t>((y * m.width + x) * 4 + c)] =
                     freeShare(s, x, y, 0.25f * static_cast<float>(c + 1));
     return m;
+}
+
+std::vector<float> maskRows(const BladeMask& m) {
+    std::vector<float> rows(static_cast<size_t>(m.height), 0.0f);
+    for (int y = 0; y < m.height; ++y)
+        for (int x = 0; x < m.width; ++x)
+            rows[static_cast<size_t>(y)] +=
+                static_cast<float>(m.pixels[static_cast<size_t>((y * m.width + x) * 4 + 3)]) /
+                (255.0f * static_cast<float>(m.width));
+    return rows;
 }
 
 BladeShade shadeOf(const DrawContext& ctx, const std::string& field, size_t species) {

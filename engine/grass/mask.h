@@ -27,6 +27,9 @@ struct BladeMask {
 // `width` texels around, at least 4; as many rows as make them square.
 BladeMask makeBladeMask(const Species& species, const Patch& patch, float cellSize, int width);
 
+// Mean of each row at density 1, from the ground up: BladeShade::rows.
+std::vector<float> maskRows(const BladeMask& mask);
+
 // What shades a species of a field, by the entity's name; nothing where blades do not shade each other.
 BladeShade shadeOf(const DrawContext& ctx, const std::string& field, size_t species);
 

@@ -19,6 +19,7 @@ FieldLight fieldLight(const DrawContext& ctx, const GrownField& f, size_t index)
     l.weighting = weightingOf(f.of->settings<GrassSlices>());
     l.translucency = s.translucency, l.gloss = s.gloss, l.roughness = s.roughness;
     if (g.sunCasts > 0 && f.species[index]->shade.texture) l.shade = &f.species[index]->shade;
+    l.traced = has(features, Feature::GrassTraced) ? tracedOf(ctx, f.name, index) : nullptr;
     l.lean = has(features, Feature::GrassOrientation) ? leanAtFull(s) : 0.0f;
     if (s.clumpSize > 0) l.lean = std::max(l.lean, clumpStrengths(s).x);
     if (has(features, Feature::Wind))
@@ -34,6 +35,15 @@ bool lampsCast(const Project& project) {
         if (const Light* light = project.registry.get<Light>(entity)) casts |= light != sun && light->castShadows;
     return casts;
 }
+// What a light's key reads of how blades shade and light each other.
+void addShading(std::vector<float>& read, const FieldLight& l) {
+    if (l.shade) read.insert(read.end(), l.shade->rows.begin(), l.shade->rows.end());
+    if (!l.traced) return;
+    const auto add = [&](const auto& numbers) {
+        for (const glm::vec3& n : numbers) read.insert(read.end(), {n.x, n.y, n.z});
+    };
+    add(l.traced->direct), add(l.traced->sky), add(l.traced->ground);
+}
 // Gains of lamps' light, where there are lamps.
 void updateLampGains(const DrawContext& ctx, const GrownField& f, GrownSpecies& s, FieldLight l) {
     if (!has(f.features, Feature::Lamps)) {
@@ -42,7 +52,7 @@ void updateLampGains(const DrawContext& ctx, const GrownField& f, GrownSpecies& 
     }
     l.shade = s.shade.texture && lampsCast(ctx.project) ? &s.shade : nullptr;
     std::vector<float> read{l.translucency, l.gloss, l.roughness};
-    if (l.shade) read.insert(read.end(), l.shade->rows.begin(), l.shade->rows.end());
+    addShading(read, l);
     const uint64_t key = hashBytes(read.data(), read.size() * sizeof(float)) ^ s.lookKey;
     if (s.lampGains.id() && s.lampGainKey == key) return;
     if (ctx.sketching() && s.lampGains.id()) return;
@@ -69,7 +79,7 @@ void updateGains(GrownSpecies& s, const FieldLight& l) {
                             l.gloss,
                             l.roughness,
                             l.pressed ? 1.0f : 0.0f};
-    if (l.shade) read.insert(read.end(), l.shade->rows.begin(), l.shade->rows.end());
+    addShading(read, l);
     for (const auto& [d, c] : l.suns) read.insert(read.end(), {d.x, d.y, d.z, c.x, c.y, c.z});
     const uint64_t key = hashBytes(read.data(), read.size() * sizeof(float)) ^ s.lookKey;
     if (s.gainKey == key) return;

@@ -104,7 +104,7 @@ void updateMeshes(DrawContext& ctx) {
 // --- cells, in pieces, and the batches in which they are drawn ---------------------------------------------
 
 size_t vertexBytes(const FeatureSet& features) {
-    return 4 * (has(features, Feature::BladeShadows) && has(features, Feature::CastingLights) ? 11 : 8);
+    return 4 * (has(features, Feature::BladeShadows) && has(features, Feature::CastingLights) ? 12 : 8);
 }
 uint32_t pieceBlades(const Gpu& gpu) { return gpu.software ? kSoftwarePiece : kPiece; }
 
@@ -241,9 +241,9 @@ void describeVertices(GLuint mesh, GLuint vertices, size_t stride) {
         GLenum type;
         GLuint offset;
     };
-    static constexpr Attribute kAttributes[] = {{4, GL_FLOAT, 0},           {4, GL_HALF_FLOAT, 16},
-                                                {2, GL_UNSIGNED_SHORT, 24}, {1, GL_UNSIGNED_INT, 28},
-                                                {4, GL_HALF_FLOAT, 32},     {2, GL_HALF_FLOAT, 40}};
+    static constexpr Attribute kAttributes[] = {
+        {4, GL_FLOAT, 0},       {4, GL_HALF_FLOAT, 16}, {2, GL_UNSIGNED_SHORT, 24}, {1, GL_UNSIGNED_INT, 28},
+        {4, GL_HALF_FLOAT, 32}, {2, GL_BYTE, 40},       {1, GL_HALF_FLOAT, 42},     {2, GL_HALF_FLOAT, 44}};
     glVertexArrayVertexBuffer(mesh, 0, vertices, 0, static_cast<GLsizei>(stride));
     for (GLuint i = 0; i < std::size(kAttributes); ++i) {
         const Attribute& a = kAttributes[i];
@@ -256,7 +256,7 @@ void describeVertices(GLuint mesh, GLuint vertices, size_t stride) {
         if (a.type == GL_UNSIGNED_INT)
             glVertexArrayAttribIFormat(mesh, i, a.size, a.type, a.offset);
         else
-            glVertexArrayAttribFormat(mesh, i, a.size, a.type, a.type == GL_UNSIGNED_SHORT, a.offset);
+            glVertexArrayAttribFormat(mesh, i, a.size, a.type, a.type != GL_FLOAT && a.type != GL_HALF_FLOAT, a.offset);
     }
 }
 

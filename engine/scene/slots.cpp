@@ -6,9 +6,9 @@ namespace sward {
 namespace {
 // In the order of Slot.
 constexpr const char* kNames[] = {
-    "Sun",     "SkyLight", "Haze",       "Air",        "Lamps",      "Ground",     "GroundNodes", "Masks",  "Grown",
-    "Meshes",  "Grass",    "Slices",     "FarGround",  "Blades",     "BladeCells", "ForceList",   "Forces", "Forests",
-    "Casters", "Shadows",  "Reflection", "SceneColor", "SceneDepth", "Resolved",   "Image"};
+    "Sun",     "SkyLight", "Haze",    "Air",        "Lamps",      "Ground",     "GroundNodes", "Masks",     "Traced",
+    "Grown",   "Meshes",   "Grass",   "Slices",     "FarGround",  "Blades",     "BladeCells",  "ForceList", "Forces",
+    "Forests", "Casters",  "Shadows", "Reflection", "SceneColor", "SceneDepth", "Resolved",    "Image"};
 static_assert(std::size(kNames) == static_cast<size_t>(Slot::Count));
 }  // namespace
 

@@ -18,6 +18,7 @@ enum class Slot : uint8_t {
     Ground,       // heights of the terrain, and what shaders know of it
     GroundNodes,  // the terrain's nodes in view
     Masks,        // how blades shade blades
+    Traced,       // light from blade to blade
     Grown,        // what the fields are made of: patches, maps, textures
     Meshes,       // blades of species, for all views
     Grass,        // the fields as a view draws them

@@ -11,18 +11,19 @@
 #include "shared/grass.h"
 
 // At a covered sample: blades are thinner than pixels, and from the pixel's centre their light would be extrapolated.
-centroid out vec4 lit;  // radiance; w: share of it that is haze
-centroid out vec4
-    sunned;  // radiance where the sun reaches between the neighbours; w: density. Only where blades shade blades
-centroid out vec2 maskAt;  // where in their shadow mask
-centroid out vec3 strip;   // across, along; opacity
-flat out uint grain;       // a random number of the blade
+centroid out vec4 lit;
+centroid out vec4 sunned;  // as BladeLight has them
+centroid out vec3 turned;
+centroid out vec2 maskAt;
+centroid out vec3 strip;  // across, along; opacity
+flat out uint grain;      // a random number of the blade
 
 void main() {
     Blade b = bladeHere();
     Stand s = standHere(b);
     lit = vec4(0.0);
     sunned = vec4(0.0);
+    turned = vec3(0.0);
     maskAt = vec2(0.0);
     strip = vec3(0.0);
     grain = 0u;
@@ -37,10 +38,10 @@ void main() {
     vec3 position = s.root + fromRoot;
     vec3 n = dot(f.normal, position) > 0.0 ? -f.normal : f.normal;  // the side that faces the eye
     BladeLight light =
-        lightBlade(Lit(bladeColor(b.hue, b.lightness * lighter, s.v, s.uv), n, unitOr(-position, 1e-6, n), position,
-                       fromRoot, pose.facing, pose.upright, mix(species.rootOpen, 1.0, s.v), s.density),
+        lightBlade(Lit(bladeColor(b.hue, b.lightness * lighter, s.v, s.uv), f.normal, n, unitOr(-position, 1e-6, n),
+                       position, fromRoot, pose.facing, pose.upright, mix(species.rootOpen, 1.0, s.v), s.density),
                    s.uv);
-    lit = light.lit, sunned = light.sunned, maskAt = light.maskAt;
+    lit = light.lit, sunned = light.sunned, turned = light.turned, maskAt = light.maskAt;
     if (viewMode() == VIEW_NORMALS) lit.rgb = n * 0.5 + 0.5;
     strip = vec3(s.across + 0.5, s.v, s.opacity);
     grain = floatBitsToUint(b.dither);

@@ -27,8 +27,9 @@ uint pieceBlades = job.w;                // at most
 
 // Words of a vertex: clip position (4); light, as halves (2); along and opacity, as 16 bits each: coverage by chance
 // turns on their last bits (1); grain, whose first two bits are across and whether it is plain (1); where blades shade
-// blades, what the sun adds, as halves (2), and where in the mask (1).
-const uint kWords = BLADE_SHADOWS && CASTING_LIGHTS ? 11u : 8u;
+// blades, the sun's light as halves (2), how the blade is turned, as 8 bits, 8 bits and a half (1), and where in the
+// mask, as halves (1).
+const uint kWords = BLADE_SHADOWS && CASTING_LIGHTS ? 12u : 8u;
 
 void place(uint vertex, vec4 at) {
     uint w = vertex * kWords;
@@ -48,7 +49,9 @@ void look(uint vertex, TessBlade t, BladeLight l, vec3 fromRoot, vec3 strip) {
     if (kWords == 8u) return;
     words[w + 4u] = packHalf2x16(sunned.xy);
     words[w + 5u] = packHalf2x16(sunned.zw);
-    words[w + 6u] = packHalf2x16(maskOf(t, fromRoot));
+    words[w + 6u] = packSnorm4x8(vec4(l.turned.xy, 0.0, 0.0)) & 0xFFFFu |
+                    packHalf2x16(vec2(0.0, min(l.turned.z, kBrightest))) & 0xFFFF0000u;
+    words[w + 7u] = packHalf2x16(maskOf(t, fromRoot));
 }
 
 // Whether a span of the picture, in pixels times samples, holds the middle of a row or column of samples. Samples of

@@ -14,6 +14,7 @@ in vec3 stemUpright[];
 flat in uint stemGrain[];
 centroid out vec4 lit;  // as in geometry.vert.glsl
 centroid out vec4 sunned;
+centroid out vec3 turned;
 centroid out vec2 maskAt;
 centroid out vec3 strip;  // across (-1: a plain triangle), along; opacity
 flat out uint grain;
@@ -46,7 +47,7 @@ void main() {
                                 t.pose.tip + end, side, t.plain ? mix(u, 0.5, v) : u, v);
     vec3 middle = bladePosition(t.pose.control, t.pose.tip, v), across = t.plain ? end * (1.0 - v) : end, shown;
     BladeLight light = lightPoint(t, middle, f.normal, v, shown);
-    lit = light.lit, sunned = light.sunned;
+    lit = light.lit, sunned = light.sunned, turned = light.turned;
     maskAt = maskOf(t, middle + (2.0 * u - 1.0) * across);
     strip = vec3(t.plain ? -1.0 : u, v, t.opacity);
     grain = t.grain;

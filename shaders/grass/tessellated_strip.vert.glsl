@@ -8,10 +8,13 @@ layout(location = 2) in vec2 along;  // along, opacity
 layout(location = 3)
     in uint number;  // grain, of a number in ]0, 1]: its first two bits are free for across, and plain triangles
 layout(location = 4) in vec4 sun;
-layout(location = 5) in vec2 shadowAt;
+layout(location = 5) in vec2 turn;
+layout(location = 6) in float highlight;
+layout(location = 7) in vec2 shadowAt;
 
 centroid out vec4 lit;  // as in geometry.vert.glsl
 centroid out vec4 sunned;
+centroid out vec3 turned;
 centroid out vec2 maskAt;
 centroid out vec3 strip;
 flat out uint grain;
@@ -24,6 +27,7 @@ void main() {
     gl_Position = at;
     lit = light;
     sunned = sun;
+    turned = vec3(turn, highlight);
     maskAt = shadowAt;
     strip = vec3((number & (1u << 30)) != 0u ? -1.0 : float(number >> 31), along);
     grain = number & 0x3FFFFFFFu;

@@ -13,11 +13,11 @@
 #include "numerics/population.h"
 #include "numerics/sowing.h"
 #include "numerics/stand.h"
+#include "lib/species.glsl"
 #include "shared/bindings.h"
 #include "shared/grass.h"
 
 layout(std430, binding = SSBO_BLADES) readonly buffer BladeBlock { Blade blades[]; };
-layout(std140, binding = UBO_SPECIES) uniform SpeciesBlock { SpeciesGlobals species; };
 // Where a vertex's blade stands.
 struct Stand {
     CellInstance cell;        // in which it stands

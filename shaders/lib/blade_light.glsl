@@ -1,4 +1,4 @@
-// How a point of a blade is coloured and lit: every light but what the shadow mask decides by the fragment.
+// How a point of a blade is coloured and lit: all that the fragment does not decide (lib/blade_pixel.glsl).
 // Needs: const bool GRASS_VEGETATION, GRASS_HEIGHTS, SUN, FOG, ATMOSPHERE, BLADE_SHADOWS, CASTING_LIGHTS. hue,
 // lightness: as numerics/population.h bladeTint takes them; uv: of the root (mapPlace).
 #include "lib/blade.glsl"
@@ -11,6 +11,7 @@
 #include "lib/light.glsl"
 #include "lib/mask.glsl"
 #include "lib/shadow.glsl"
+#include "lib/traced.glsl"
 #include "numerics/basics.h"
 #include "numerics/population.h"
 
@@ -21,10 +22,10 @@ vec3 bladeColor(float hue, float lightness, float v, vec2 uv) {
     return mix(c, paint.rgb, paint.a);
 }
 
-// A vertex that is lit: reflectance; the side of the blade that the eye sees; where it is; where the blade faces; what
-// of the light is left so near to the root, where no mask says it.
+// A vertex that is lit: reflectance; either of the blade's two normals, and that of the side which the eye sees; where
+// it is; where the blade faces; what of the light is left so near to the root, where no mask says it.
 struct Lit {
-    vec3 color, normal, toEye, position, fromRoot;
+    vec3 color, face, normal, toEye, position, fromRoot;
     vec2 facing;
     vec3 upright;  // of its pose
     float open, density;
@@ -37,19 +38,15 @@ vec2 maskFor(vec3 fromRoot, vec2 facing, vec3 upright, vec3 towards) {
 }
 // As leafLight takes them.
 vec3 bladeGloss() { return vec3(species.translucency, species.gloss, species.roughness); }
-vec3 sunOn(Lit p) {
-    if (!SUN) return vec3(0.0);
-    return leafLight(p.color, bladeGloss(), p.normal, p.toEye, frame.sunDirection, frame.sunLight) *
-           sunVisible(p.position, vec3(0.0));
-}
 // Lamps that cast shadows are shaded here, by the vertex: unlike the sun there may be many.
 vec3 lampsOn(Lit p) {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < lampCount(); ++i) {
         LampHere l = lampReaching(i, p.position, vec3(0.0));
-        float share = p.open;
+        vec3 share = vec3(p.open);
         if (BLADE_SHADOWS && i < castingLamps())
-            share = maskLightAtVertex(maskFor(p.fromRoot, p.facing, p.upright, l.direction), p.density);
+            share = maskLightAtVertex(maskFor(p.fromRoot, p.facing, p.upright, l.direction), p.density) *
+                    tracedLamp(p.toEye, l.direction, p.density);
         sum += leafLight(p.color, bladeGloss(), p.normal, p.toEye, l.direction, l.light) * share;
     }
     return sum;
@@ -57,26 +54,41 @@ vec3 lampsOn(Lit p) {
 // A point of a blade as it would be without the map of heights: its neighbours are lowered as it is, so that they shade
 // it as they would then.
 vec3 inFullHeight(vec3 fromRoot, vec2 uv) { return GRASS_HEIGHTS ? fromRoot / max(bladeShare(uv), 0.02) : fromRoot; }
+// Where blades shade blades the sun is told apart: on which side of a bent blade it shines, and which one is seen, is
+// decided by the fragment. Elsewhere by the vertex, in half of its room.
 struct BladeLight {
-    vec4 lit;     // radiance; w: share of it that is haze
-    vec4 sunned;  // radiance where the sun reaches between the neighbours; w: density. Only where blades shade blades
-    vec2 maskAt;  // where in their shadow mask
+    vec4 lit;     // radiance, without the sun's where that is apart; w: share of it that is haze
+    vec4 sunned;  // what a side that faces the sun sends of its light; w: density
+    vec3 turned;  // cosines of `face` with the sun and with the eye; the highlight, as a share of the sun's light
+    vec2 maskAt;  // where in the blades' shadow mask
 };
-// Light on a blade: what no mask holds back into lit, what it may into sunned.
+// The sun on a blade; share: of haze.
+void sunBlade(Lit p, float share, inout BladeLight o) {
+    if (!SUN) return;
+    vec3 left = vec3(sunVisible(p.position, vec3(0.0)));
+    if (!(BLADE_SHADOWS && CASTING_LIGHTS)) {
+        o.lit.rgb +=
+            leafLight(p.color, bladeGloss(), p.normal, p.toEye, frame.sunDirection, frame.sunLight) * left * p.open;
+        return;
+    }
+    left *= 1.0 - share;
+    if (frame.sunCasts > 0.0) {
+        o.maskAt = maskFor(p.fromRoot, p.facing, p.upright, frame.sunDirection);
+        left *= tracedSun(p.toEye, p.density);
+    } else {
+        left *= p.open;
+    }
+    o.sunned = vec4(p.color * frame.sunLight * left, p.density);
+    o.turned.xy = vec2(dot(p.face, frame.sunDirection), dot(p.face, p.toEye));
+    if (GLOSS) o.turned.z = species.gloss * waxyLobe(p.normal, frame.sunDirection, p.toEye, species.roughness) * left.g;
+}
 BladeLight lightBlade(Lit p, vec2 uv) {
-    BladeLight o = BladeLight(vec4(0.0), vec4(0.0), vec2(0.0));
+    BladeLight o = BladeLight(vec4(0.0), vec4(0.0), vec3(0.0), vec2(0.0));
     float distance = length(p.position), share = hazeShare(distance);
     p.color *= darkened(distance);
     p.fromRoot = inFullHeight(p.fromRoot, uv);
-    vec3 sun = sunOn(p);
-    vec3 rest = p.color * ambientLight(p.normal) * (skyShare(uv) * p.open) + lampsOn(p);
-    if (BLADE_SHADOWS && CASTING_LIGHTS && frame.sunCasts > 0.0) {
-        o.sunned = vec4(sun * (1.0 - share), p.density);
-        o.maskAt = maskFor(p.fromRoot, p.facing, p.upright, frame.sunDirection);
-    } else {
-        rest += sun * p.open;
-    }
-    o.lit = vec4(rest, share);
+    o.lit = vec4(p.color * tracedAmbient(p.normal, p.toEye) * (skyShare(uv) * p.open) + lampsOn(p), share);
+    sunBlade(p, share, o);
     if (FOG || ATMOSPHERE) o.lit.rgb = mix(o.lit.rgb, hazeColor(p.position), share);
     return o;
 }

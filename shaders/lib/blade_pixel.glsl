@@ -1,24 +1,37 @@
 // A fragment of a blade: what its vertices were lit with, its mask, its texture, and how it covers its pixel. Fragment
-// shaders only. Needs: const bool BLADE_SHADOWS, CASTING_LIGHTS; const int TRANSPARENCY.
+// shaders only. Needs: const bool SUN, BLADE_SHADOWS, CASTING_LIGHTS, TRANSLUCENCY, GLOSS; const int TRANSPARENCY.
 #include "lib/frame.glsl"
 #include "lib/mask.glsl"
 #include "lib/sliver.glsl"
+#include "lib/species.glsl"
 #include "lib/transparency.glsl"
+#include "numerics/leaf.h"
 #include "shared/bindings.h"
 
 layout(binding = TEX_BLADE) uniform sampler2D bladeTexture;
 
 centroid in vec4 lit;
 centroid in vec4 sunned;
+centroid in vec3 turned;
 centroid in vec2 maskAt;
 centroid in vec3 strip;
 flat in uint grain;
 out vec4 color;
 
+// What the blade sends of the sun's light. Along a bent blade the side that is seen changes; within an eighth of an
+// edge-on view it goes from one to the other, so that neighbouring rows of vertices need not agree on the place.
+vec3 sunSent() {
+    float facing = clamp(turned.x, -1.0, 1.0) * clamp(turned.y * 8.0, -1.0, 1.0);
+    vec3 sent = sunned.rgb * max(facing, 0.0);
+    if (TRANSLUCENCY) sent += leafThrough(sunned.rgb) * (species.translucency * max(-facing, 0.0));
+    if (GLOSS) sent += frame.sunLight * turned.z;
+    if (frame.sunCasts > 0.0) sent *= maskLight(maskAt, sunned.w);
+    return sent;
+}
 // t: the texture's colour there; alpha: of what is written.
 vec4 bladePixel(vec4 t, float alpha) {
     vec3 light = lit.rgb;
-    if (BLADE_SHADOWS && CASTING_LIGHTS && frame.sunCasts > 0.0) light += sunned.rgb * maskLight(maskAt, sunned.w);
+    if (SUN && BLADE_SHADOWS && CASTING_LIGHTS) light += sunSent();
     vec4 c = vec4(clamp(light * mix(t.rgb * 2.0, vec3(1.0), lit.w), vec3(0.0), vec3(kBrightest)), alpha);
     if (viewMode() == VIEW_TIERS) c.rgb = vec3(0.85, 0.05, 0.03) * (0.4 + 0.6 * strip.y);
     if (viewMode() == VIEW_NORMALS) c.rgb = lit.rgb;

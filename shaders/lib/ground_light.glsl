@@ -1,5 +1,5 @@
 // Light on soil under grass, and what is left of it in the shadow of one light. Needs: const bool SUN, LAMPS,
-// GROUND_SHADOWS, CASTING_LIGHTS, GRASS_HEIGHTS; what lib/lamp_shadow.glsl and lib/shadow.glsl need.
+// GROUND_SHADOWS, CASTING_LIGHTS, GRASS_HEIGHTS, GRASS_TRACED; what lib/lamp_shadow.glsl and lib/shadow.glsl need.
 #include "lib/frame.glsl"
 #include "lib/lamp_shadow.glsl"
 #include "lib/lamps.glsl"
@@ -12,21 +12,27 @@ vec3 soilLeft(vec3 shade, float density, float tall) {
     return mix(vec3(1.0), GRASS_HEIGHTS ? pow(max(shade, vec3(1e-6)), vec3(tall)) : shade, density);
 }
 float soilLeft(float shade, float density, float tall) { return soilLeft(vec3(shade), density, tall).x; }
-// The share of the sun's light that is left, and of a lamp's that stands so high (sine: kLampSines).
+// The share of the sun's light that is left, and of a lamp's that stands so high (sine: kLampSines); of the sky's; and
+// of the sun's what comes from blade to blade.
 struct SoilLeft {
     float sun;
     vec3 lamps;
+    float sky, scattered;
 };
-const SoilLeft kAllLeft = SoilLeft(1.0, vec3(1.0));
+const SoilLeft kAllLeft = SoilLeft(1.0, vec3(1.0), 1.0, 0.0);
 const vec3 kLampSines = vec3(0.2, 0.5, 1.0);
-SoilLeft times(SoilLeft a, SoilLeft b) { return SoilLeft(a.sun * b.sun, a.lamps * b.lamps); }
+SoilLeft times(SoilLeft a, SoilLeft b) {
+    return SoilLeft(a.sun * b.sun, a.lamps * b.lamps, a.sky * b.sky, a.scattered * b.sky + b.scattered * a.sky);
+}
 // By Beer's law through leaves of so much area (SliceGlobals), as `shade` is for the sun.
 vec3 lampShades(vec2 area) {
     vec3 across = area.x * sqrt(vec3(1.0) - kLampSines * kLampSines), above = area.y * kLampSines;
     return exp(-sqrt(across * across + above * above) / kLampSines);
 }
-SoilLeft soilLeft(float shade, vec2 area, float density, float tall) {
-    return SoilLeft(soilLeft(shade, density, tall), LAMPS ? soilLeft(lampShades(area), density, tall) : vec3(1.0));
+// indirect: shares of the sky's light that is left, and of the sun's that comes from blade to blade (SpeciesInField).
+SoilLeft soilLeft(float shade, vec2 area, vec2 indirect, float density, float tall) {
+    return SoilLeft(soilLeft(shade, density, tall), LAMPS ? soilLeft(lampShades(area), density, tall) : vec3(1.0),
+                    soilLeft(indirect.x, density, tall), indirect.y * density * (GRASS_HEIGHTS ? tall : 1.0));
 }
 float lampLeft(SoilLeft left, float sine) {
     vec2 steps = clamp((sine - kLampSines.xy) / (kLampSines.yz - kLampSines.xy), 0.0, 1.0);
@@ -48,8 +54,9 @@ struct SoilShares {
 // Of grass that leaves `shades` in the mean. near: 1 where blades are drawn, 0 where they are not; sky: share of the
 // sky that the ground sees.
 SoilShares soilShares(SoilLeft shades, float near, float sky) {
-    SoilLeft casting = SoilLeft(mix(shades.sun, 1.0, near), mix(shades.lamps, vec3(1.0), near));
-    return SoilShares(shades.sun * sky, shades, GROUND_SHADOWS && CASTING_LIGHTS ? casting : shades);
+    SoilLeft casting =
+        SoilLeft(mix(shades.sun, 1.0, near), mix(shades.lamps, vec3(1.0), near), shades.sky, shades.scattered);
+    return SoilShares(shades.sky * sky, shades, GROUND_SHADOWS && CASTING_LIGHTS ? casting : shades);
 }
 // Of light i: 0 the sun, i lamp i - 1, at a point.
 float directShare(int i, bool casts, vec3 at, SoilShares s) {
@@ -60,6 +67,7 @@ float directShare(int i, bool casts, vec3 at, SoilShares s) {
 vec3 soilLight(vec3 at, vec3 n, SoilShares s) {
     vec3 sum = ambientLight(n) * (s.ambient * skyPastTrees(at));
     if (SUN) sum += castLight(0, at, n) * directShare(0, frame.sunCasts > 0.0, at, s);
+    if (SUN && GRASS_TRACED) sum += frame.sunLight * (frame.sunIsUp * s.mean.scattered * sunVisible(at, vec3(0.0)));
     for (int i = 0; i < lampCount(); ++i)
         sum += castLight(i + 1, at, n) * directShare(i + 1, i < castingLamps(), at, s);
     return sum;

@@ -21,9 +21,11 @@ layout(binding = TEX_SOIL) uniform sampler2D soilMap[MAX_SOIL_MAPS];
     left = kAllLeft;                                                              \
     tall = SOIL_TEXEL(heights, tiled(uv, soilGrowth.fields[field].heightTiling)); \
     sky = min(sky, SOIL_FINEST(occlusion, uv * soilGrowth.fields[field].occlusionTiling));
-#define SOIL_SPECIES(number, map)                                                                                   \
-    density = SOIL_TEXEL(map, tiled(uv, soilGrowth.species[number].tiling));                                        \
-    left = times(left, soilLeft(soilGrowth.species[number].shade, soilGrowth.species[number].area, density, tall)); \
+#define SOIL_SPECIES(number, map)                                                                               \
+    density = SOIL_TEXEL(map, tiled(uv, soilGrowth.species[number].tiling));                                    \
+    left = times(left, soilLeft(soilGrowth.species[number].shade, soilGrowth.species[number].area,              \
+                                vec2(soilGrowth.species[number].skyLeft, soilGrowth.species[number].scattered), \
+                                density, tall));                                                                \
     grown += density;
 #define SOIL_SHARE(field) all = soilUnderBoth(all, soilOf(soilGrowth.fields[field], left, distance));
 
@@ -42,6 +44,6 @@ SoilShares soilUnder(vec2 uv, float distance, out float grown) {
     grown = 0.0;
     SoilShares all = SoilShares(1.0, left, left);
     SOIL_EACH
-    all.ambient = all.mean.sun * sky;
+    all.ambient = all.mean.sky * sky;
     return all;
 }

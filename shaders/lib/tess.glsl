@@ -70,7 +70,7 @@ BladeLight lightPoint(TessBlade t, vec3 fromRoot, vec3 normal, float v, out vec3
     vec3 position = t.root + fromRoot;
     shown = dot(normal, position) > 0.0 ? -normal : normal;
     BladeLight l =
-        lightBlade(Lit(bladeColor(t.hue, t.lightness, v, t.uv), shown, unitOr(-position, 1e-6, shown), position,
+        lightBlade(Lit(bladeColor(t.hue, t.lightness, v, t.uv), normal, shown, unitOr(-position, 1e-6, shown), position,
                        fromRoot, t.pose.facing, t.pose.upright, mix(species.rootOpen, 1.0, v), t.density),
                    t.uv);
     if (viewMode() == VIEW_NORMALS) l.lit.rgb = shown * 0.5 + 0.5;

@@ -31,6 +31,7 @@
 #include "numerics/rays.h"
 #include "numerics/shadow.h"
 #include "numerics/tess.h"
+#include "numerics/traced.h"
 #include "numerics/cells.h"
 #include "numerics/wrap.h"
 #include "numerics/forest.h"

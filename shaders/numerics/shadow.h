@@ -32,7 +32,8 @@ FN real unwrapTurns(real turn, real reference) { return turn - round(turn - refe
 // Where the ray from a point of a blade to a light leaves the blade's cylinder, as coordinates of its mask: turns from
 // where the blade faces, within half a turn of the light's own so that a blade's vertices interpolate, and height as a
 // share of the mask's, in [0, 2]. Light from straight above leaves over the top: unshadowed. Light from below comes out
-// at 0.
+// at 0. The height is that of a ray from the axis: neighbours stand around every point of a bent blade as they do
+// around its root, and a tip that leans towards the light is not deeper among them than one that leans away.
 struct MaskPoint {
     real turn;
     real height;
@@ -45,7 +46,8 @@ FN MaskPoint maskPointOf(vec3 fromRoot, vec2 facing, vec3 l, real radius, real t
     real t = min(cylinderExit(o, d, radius), real(1e6));
     MaskPoint p;
     p.turn = unwrapTurns(maskTurns(o.x + d.x * t, o.z + d.z * t), maskTurns(d.x, d.z));
-    p.height = clamp((o.y + d.y * t) / max(top, real(1e-6)), real(0.0), real(2.0));
+    real rise = d.y / max(sqrt(d.x * d.x + d.z * d.z), real(1e-6));
+    p.height = clamp((o.y + rise * radius) / max(top, real(1e-6)), real(0.0), real(2.0));
     return p;
 }
 

@@ -3,16 +3,22 @@
 #pragma once
 #include "shared/types.h"
 #define MAX_SPECIES 16  // of a field
+#define TRACED_RISE 3   // numbers by elevation alone
+#define TRACED_TERMS 7  // and by the way that light and eye stand to each other, of one elevation of the light
+#define TRACED_DIRECT 21
 #ifdef __cplusplus
 namespace sward {
 #endif
 
 // Of one species, for shaders of all.
 struct STD140 SpeciesInField {
-    float tiling;  // of its density map, as FieldGlobals has tilings
-    float shade;   // share of the sun's light left at the soil under full density
-    float height;  // mean (m)
-    float gusts;   // lean (m per m) of a full gust; 0 in a calm
+    float tiling;     // of its density map, as FieldGlobals has tilings
+    float shade;      // share of the sun's light left at the soil under full density
+    float height;     // mean (m)
+    float gusts;      // lean (m per m) of a full gust; 0 in a calm
+    float skyLeft;    // share of the sky's light left there
+    float scattered;  // share of the light on what faces the sun that comes there from blade to blade
+    vec2 spare;       // 0
 };
 
 // What shaders of all of a field's species read. Tilings: repeats over what a map of tiling 1 covers; 0: the map lies
@@ -37,6 +43,10 @@ struct STD140 FieldGlobals {
 
 // What shaders of one species' blades read.
 struct STD140 SpeciesGlobals {
+    vec4 traced[TRACED_DIRECT];      // of numerics/traced.h: of direct light, by the light's elevation, then terms
+    vec4 tracedSun[TRACED_TERMS];    // of the sun's light
+    vec4 tracedSky[TRACED_RISE];     // of the sky's
+    vec4 tracedGround[TRACED_RISE];  // of light from below
     vec3 rootColor;
     float rootOpen;  // ambient light left at the root
     vec3 midColor;

@@ -4,8 +4,8 @@
 // Views for which grass's mean looks are tabulated: azimuths around, elevations from level to the zenith (sine =
 // (i/(n-1))^2).
 #define LOOK_AZIMUTHS 8
-#define LOOK_ELEVATIONS 4
-#define LOOK_VIEWS 32
+#define LOOK_ELEVATIONS 6
+#define LOOK_VIEWS 48
 // Texels of the image of lamps' gains: x, (1 - cosine of the azimuth between eye and light) / 2; y and z, elevations of
 // eye and light as above.
 #define LAMP_AZIMUTHS 7

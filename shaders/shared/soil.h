@@ -17,9 +17,12 @@ struct STD140 SoilField {
     float occlusionTiling;  // of the map of ambient occlusion
 };
 struct STD140 SoilSpecies {
-    float shade;   // as SpeciesInField
-    float tiling;  // of the density map
-    vec2 area;     // as SliceGlobals
+    float shade;      // as SpeciesInField
+    float tiling;     // of the density map
+    vec2 area;        // as SliceGlobals
+    float skyLeft;    // as SpeciesInField
+    float scattered;  // likewise
+    vec2 spare;       // 0
 };
 struct STD140 SoilGlobals {
     SoilField fields[MAX_FIELDS];

@@ -39,6 +39,13 @@ TEST(ColorImage, TheMadeBladeIsPointedAndHasNoDarkRim) {
         ASSERT_GT(blade.pixels[i], 60) << "a dark texel under transparency makes a halo";
 }
 
+TEST(ColorImage, RowsAreAddedBetweenThoseThatAreThere) {
+    const Rgba8 image{1, 2, {0, 0, 0, 255, 200, 100, 50, 155}}, same = withRows(image, 2), tall = withRows(image, 4);
+    EXPECT_EQ(same.pixels, image.pixels);
+    ASSERT_EQ(tall.height, 4);
+    EXPECT_EQ(tall.pixels, (std::vector<uint8_t>{0, 0, 0, 255, 50, 25, 13, 230, 150, 75, 38, 180, 200, 100, 50, 155}));
+}
+
 TEST(ColorImage, TheMadeSoilHasTheMeanThatTheShaderDoubles) {
     const Rgba8 soil = makeSoil(128);
     double sum = 0;

@@ -180,6 +180,7 @@ TEST(PlanTable, ASlotThatIsReadIsFilledAndNoTwoMakeIt) {
 
 // Which slot a member of SharedResources is; `ground` is there before the first step.
 const std::map<std::string, std::string> kSlotOf = {{"masks", "Masks"},
+                                                    {"traced", "Traced"},
                                                     {"grown", "Grown"},
                                                     {"forests", "Forests"},
                                                     {"groundMesh", "GroundNodes"},

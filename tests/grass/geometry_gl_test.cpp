@@ -217,6 +217,7 @@ TEST(GrassPicture, BladesShadeBladesByDensityAndOnlyInLightThatCasts) {
         Project p = lawn();
         Species& s = grassOf(p).species[0];
         s.bladesPerM2 = perM2;
+        grassOf(p).drawing.bakeLight = BakeLight::Local;
         s.rootOcclusion = 1;  // so that only the mask darkens
         grassOf(p).groundShadows = false;
         grassOf(p).shadowMask = texels;

@@ -31,8 +31,8 @@ TEST(NewProject, HasGroundGrassSunSkyHazeAndACamera) {
     EXPECT_DOUBLE_EQ(virtualBlades(p), 4000.0 * 40 * 40);
     const FeatureSet expected = featureSet(
         Feature::Terrain, Feature::Grass, Feature::GrassDensity, Feature::GrassClumps, Feature::GrassGeometry,
-        Feature::GrassSlices, Feature::GrassFar, Feature::BladeShadows, Feature::GroundShadows, Feature::Sun,
-        Feature::CastingLights, Feature::Sky, Feature::Atmosphere, Feature::TerrainBeyond, Feature::Fog);
+        Feature::GrassSlices, Feature::GrassFar, Feature::BladeShadows, Feature::GroundShadows, Feature::GrassTraced,
+        Feature::Sun, Feature::CastingLights, Feature::Sky, Feature::Atmosphere, Feature::TerrainBeyond, Feature::Fog);
     EXPECT_EQ(sceneFeatures(p.registry, tables()), expected);
 }
 

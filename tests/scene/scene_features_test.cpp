@@ -31,8 +31,8 @@ TEST(SceneFeatures, EachComponentAsksForItsFeaturesAndTheirAbsenceForNone) {
     const auto featuresOfField = [&] { return fieldFeatures(tables().techniques, grass.asField()); };
     const FeatureSet drawn =
         featureSet(Feature::Grass, Feature::GrassGeometry, Feature::GrassSlices, Feature::GrassFar);
-    EXPECT_EQ(featuresOfField(),
-              drawn | featureSet(Feature::GrassClumps, Feature::BladeShadows, Feature::GroundShadows));
+    EXPECT_EQ(featuresOfField(), drawn | featureSet(Feature::GrassClumps, Feature::BladeShadows, Feature::GroundShadows,
+                                                    Feature::GrassTraced));
     grass.shadowMask = 0;
     grass.groundShadows = false;
     grass.species[0].clumpSize = 0;
@@ -45,7 +45,10 @@ TEST(SceneFeatures, EachComponentAsksForItsFeaturesAndTheirAbsenceForNone) {
     EXPECT_TRUE((featuresOfField() & featureSet(Feature::Translucency, Feature::Gloss)).count() == 2);
     grass.technique = nameOf(Technique::Flat);
     grass.shadowMask = 64;
-    EXPECT_FALSE(has(featuresOfField(), Feature::BladeShadows)) << "no blade is drawn";
+    EXPECT_TRUE(has(featuresOfField(), Feature::BladeShadows)) << "the flat tier is as bright as blades in shadow";
+    EXPECT_TRUE(has(featuresOfField(), Feature::GrassTraced));
+    grass.drawing.bakeLight = BakeLight::Local;
+    EXPECT_FALSE(has(featuresOfField(), Feature::GrassTraced));
     grass.species[0].bladesPerM2 = 0;
     EXPECT_TRUE(featuresOfField().none()) << "nothing grows";
     Light light;

@@ -1,0 +1,62 @@
+#include "grass/traced.h"
+
+#include "core/numerics.h"
+
+namespace sward {
+namespace {
+
+// Of one elevation of the light.
+std::array<glm::vec3, TRACED_TERMS> termsFor(const TracedLight& traced, float sinElevation) {
+    const glm::vec3 by = f32::tracedRise(sinElevation);
+    std::array<glm::vec3, TRACED_TERMS> out{};
+    for (size_t i = 0; i < traced.direct.size(); ++i)
+        out[i % TRACED_TERMS] += by[static_cast<int>(i / TRACED_TERMS)] * traced.direct[i];
+    return out;
+}
+
+}  // namespace
+
+void TracedState::jobs(std::vector<JobNews>& out) const {
+    for (const auto& [name, species] : fields)
+        for (const One& one : species)
+            if (one.bake.active()) out.push_back(one.bake.news());
+}
+
+const TracedLight* tracedOf(const DrawContext& ctx, const std::string& field, size_t species) {
+    if (!ctx.shared.traced) return nullptr;
+    const auto found = ctx.shared.traced->fields.find(field);
+    if (found == ctx.shared.traced->fields.end() || species >= found->second.size()) return nullptr;
+    const auto& light = found->second[species].light;
+    return light ? &*light : nullptr;
+}
+
+glm::vec3 tracedDirect(const TracedLight& traced, const glm::vec3& toEye, const glm::vec3& towards) {
+    const f32::TracedTerms t = f32::tracedTerms(toEye, towards);
+    const auto numbers = termsFor(traced, towards.y);
+    glm::vec3 sum = numbers[6] * t.glow;
+    for (int i = 0; i < 3; ++i)
+        sum += numbers[static_cast<size_t>(i)] * t.rise[i] + numbers[static_cast<size_t>(i) + 3] * t.across[i];
+    return glm::max(sum, glm::vec3(0));
+}
+
+glm::vec3 tracedRise(const std::array<glm::vec3, TRACED_RISE>& numbers, float sinElevation) {
+    const glm::vec3 rise = f32::tracedRise(sinElevation);
+    return glm::max(numbers[0] * rise.x + numbers[1] * rise.y + numbers[2] * rise.z, glm::vec3(0));
+}
+
+float soilScattered(const TracedLight& traced, float sinElevation) {
+    return std::max(glm::dot(traced.soilScattered, f32::tracedRise(sinElevation)), 0.0f);
+}
+
+void setTraced(SpeciesGlobals& g, const TracedLight* traced, const glm::vec3& sun) {
+    TracedLight none;
+    none.direct[0] = none.sky[0] = none.ground[0] = glm::vec3(1);
+    const TracedLight& t = traced ? *traced : none;
+    const auto numbers = termsFor(t, sun.y);
+    for (size_t i = 0; i < TRACED_DIRECT; ++i) g.traced[i] = glm::vec4(t.direct[i], 0);
+    for (size_t i = 0; i < TRACED_TERMS; ++i) g.tracedSun[i] = glm::vec4(numbers[i], 0);
+    for (size_t i = 0; i < TRACED_RISE; ++i)
+        g.tracedSky[i] = glm::vec4(t.sky[i], 0), g.tracedGround[i] = glm::vec4(t.ground[i], 0);
+}
+
+}  // namespace sward

@@ -1,0 +1,49 @@
+// By how much a species' grass is brighter than its local light says, as rays have found it (reference/traced_light.h):
+// light goes from blade to blade, through leaves and up from the soil, and what is seen of blades is rather what is
+// lit. Local light knows none of that: a shadow mask, and the share of the sky by depth below the tips. Factors are of
+// the mean over all that is seen of blades, by where eye and light stand, so that they hold for blades, slices and the
+// flat tier alike. Beyond Boulanger, Pattanaik and Bouatouch 2006, section 3.3, who light slices by directions alone.
+// Does not: trace (reference/traced_light.h), nor know how far down a blade is.
+#pragma once
+#include <array>
+#include <glm/glm.hpp>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frame/draw_context.h"
+#include "shared/grass.h"
+
+namespace sward {
+
+// Numbers of the polynomials of numerics/traced.h, red, green and blue.
+struct TracedLight {
+    std::array<glm::vec3, TRACED_DIRECT> direct{};       // as SpeciesGlobals::traced has them
+    std::array<glm::vec3, TRACED_RISE> sky{}, ground{};  // of light from above and from below
+    glm::vec3 soilScattered{0};                          // polynomial by the sun's elevation
+    float soilSky = 1;                                   // share of the sky's light that comes to the soil
+};
+// Share of the light on what faces the sun, so high (sine), that comes to the soil from blade to blade.
+float soilScattered(const TracedLight& traced, float sinElevation);
+// Of the fields' species, by the field's name; nothing while it is being traced.
+struct TracedState : EffectState {
+    struct One {
+        uint64_t asked = 0;  // what the light was traced for
+        std::optional<TracedLight> light;
+        Job<TracedLight> bake;
+        uint64_t bakeOf = 0;  // what it makes
+    };
+    std::map<std::string, std::vector<One>> fields;
+    void jobs(std::vector<JobNews>& out) const override;
+};
+
+// What is there for a species of a field; null: local light is all.
+const TracedLight* tracedOf(const DrawContext& ctx, const std::string& field, size_t species);
+// The factors for an eye and a light (unit, towards them), at least 0.
+glm::vec3 tracedDirect(const TracedLight& traced, const glm::vec3& toEye, const glm::vec3& towards);
+glm::vec3 tracedRise(const std::array<glm::vec3, TRACED_RISE>& numbers, float sinElevation);
+// Writes them for shaders; sun: unit, towards it. Null: factors of 1.
+void setTraced(SpeciesGlobals& g, const TracedLight* traced, const glm::vec3& sun);
+
+}  // namespace sward

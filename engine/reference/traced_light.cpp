@@ -1,0 +1,432 @@
+#include "reference/traced_light.h"
+
+#include <cstring>
+
+#include "core/cache_file.h"
+#include "core/hash.h"
+#include "core/numerics.h"
+#include "frame/plan.h"
+#include "grass/drawing.h"
+#include "grass/grass_fields.h"
+#include "grass/grown.h"
+#include "grass/mask.h"
+#include "grass/slices.h"
+#include "reference/grass_rays.h"
+
+namespace sward {
+namespace {
+
+constexpr uint32_t kVersion = 4;  // of the method: another one gives other factors
+constexpr int kRays = 640;        // that meet a blade, a view
+constexpr int kParts = 16;        // of a view's rays, each with its own sums, so that any number of threads adds alike
+constexpr int kMostBounces = 12;
+constexpr double kSide = 1000, kOff = 2e-5;  // metres: of the lawn; by which a path starts off a blade
+constexpr float kViews[kTracedViews] = {0.04f, 0.2f, 0.45f, 0.75f, 0.98f};
+constexpr float kLights[kTracedLights] = {0.12f, 0.3f, 0.55f, 0.8f, 0.99f};
+constexpr float kTurns[kTracedTurns] = {0, 0.35f, 0.8f, 1.4f, 2.2f, 3.1415927f};  // closest where one sees what is lit
+
+struct Dice {
+    uint32_t seed, next = 0;
+    float unit() { return f32::hashUnit(f32::hash2(seed, next++)); }
+    uint32_t grain() { return f32::hash2(seed, next++); }
+};
+
+glm::vec3 raised(float azimuth, float sine) {
+    const float level = std::sqrt(1 - sine * sine);
+    return {level * std::cos(azimuth), sine, level * std::sin(azimuth)};
+}
+glm::vec3 cosineAround(const glm::vec3& n, Dice& dice) {
+    const float r2 = dice.unit(), turn = f32::kTau * dice.unit(), r = std::sqrt(r2);
+    const glm::vec3 side =
+        glm::normalize(std::abs(n.y) < 0.9f ? glm::cross(n, glm::vec3(0, 1, 0)) : glm::cross(n, glm::vec3(1, 0, 0)));
+    return glm::normalize(side * (r * std::cos(turn)) + glm::cross(n, side) * (r * std::sin(turn)) +
+                          n * std::sqrt(std::max(1 - r2, 1e-8f)));
+}
+float luminance(const glm::vec3& c) { return glm::dot(c, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
+
+// The lawn, and how its blades shade each other in local light.
+struct Lawn {
+    Project project;
+    BladeShade shade;
+    float height = 0;    // of its highest blade, metres
+    float soilOpen = 1;  // share of the sky's light that comes to its soil
+};
+Result<Lawn> lawnOf(const TracedSpec& spec) {
+    Lawn lawn;
+    const SliceSpec& s = spec.species;
+    lawn.project.dir = spec.dir;
+    const Result<Entity> ground = addEntity(lawn.project, "ground"), grass = addEntity(lawn.project, "grass");
+    if (!ground || !grass) return failed("the lawn cannot be made");
+    Terrain t;
+    t.size = {kSide, kSide};
+    lawn.project.registry.add<Terrain>(*ground, t);
+    GrassField f;
+    f.cellSize = s.cellSize, f.seed = static_cast<int>(s.seed);
+    f.species = {s.species};
+    lawn.project.registry.add<GrassField>(*grass, f);
+    const Patch patch = makePatch(s.species, s.cellSize, s.seed);
+    for (const Blade& b : patch.blades) lawn.height = std::max({lawn.height, b.tip.y, b.control.y});
+    lawn.height *= 1.05f;
+    const BladeMask mask = makeBladeMask(s.species, patch, s.cellSize, s.shadowMask);
+    lawn.shade = {0, mask.radius, mask.top, maskRows(mask)};
+    return lawn;
+}
+
+struct Tracer {
+    const Lawn& lawn;
+    const GrassRays& rays;
+    GrassMemory memory{};
+};
+
+Ray from(const Surface& s, const glm::vec3& way, Dice& dice) {
+    const double side = glm::dot(s.face, way) < 0 ? -1 : 1;
+    return {s.at + glm::dvec3(s.face) * (kOff * side), glm::normalize(glm::dvec3(way)), 0,
+            std::numeric_limits<double>::infinity(), dice.grain()};
+}
+// What a blade sends towards one direction of light from another.
+glm::vec3 sends(const Surface& s, const glm::vec3& toEye, const glm::vec3& towards) {
+    return s.tint * f32::leafSends(s.color, s.looks, s.normal, toEye, towards);
+}
+// The next direction of a path, through the blade or off it by chance; weight: what it counts.
+glm::vec3 bounce(const Surface& s, const glm::vec3& toEye, Dice& dice, glm::vec3& weight) {
+    const float through = s.looks.x * luminance(f32::leafThrough(s.color)),
+                share = through / std::max(through + luminance(s.color), 1e-6f);
+    const bool behind = dice.unit() < share;
+    const glm::vec3 side = behind ? -s.normal : s.normal, towards = cosineAround(side, dice);
+    weight *= sends(s, toEye, towards) / (std::max(glm::dot(side, towards), 1e-6f) * (behind ? share : 1 - share));
+    return towards;
+}
+
+using Lights = std::array<glm::vec3, kTracedLights * kTracedTurns>;
+// The lights about an eye that stands at this azimuth.
+Lights lightsAbout(float azimuth) {
+    Lights out;
+    for (int i = 0; i < kTracedLights; ++i)
+        for (int k = 0; k < kTracedTurns; ++k)
+            out[static_cast<size_t>(i * kTracedTurns + k)] = raised(azimuth + tracedTurn(k), kLights[i]);
+    return out;
+}
+
+// One view's sums.
+struct ViewSums {
+    std::array<TracedSums, kTracedLights * kTracedTurns> direct;
+    TracedSums sky, ground;
+    void add(const ViewSums& o) {
+        for (size_t i = 0; i < direct.size(); ++i)
+            direct[i].local += o.direct[i].local, direct[i].full += o.direct[i].full;
+        sky.local += o.sky.local, sky.full += o.sky.full;
+        ground.local += o.ground.local, ground.full += o.ground.full;
+    }
+};
+
+void addLocal(const Lawn& lawn, const Surface& s, const glm::vec3& toEye, const Lights& lights, ViewSums& sums) {
+    for (size_t i = 0; i < lights.size(); ++i)
+        sums.direct[i].local +=
+            glm::dvec3(sends(s, toEye, lights[i]) * maskPasses(lawn.shade, float(s.at.y), lights[i]));
+    const glm::dvec3 sent(s.color * s.tint * s.open);
+    sums.sky.local += sent * (0.5 + 0.5 * double(s.normal.y));
+    sums.ground.local += sent * (0.5 - 0.5 * double(s.normal.y));
+}
+
+// A path from what was seen on, with light at each blade that it meets.
+void addFull(Tracer& t, Surface s, glm::vec3 toEye, const Lights& lights, Dice& dice, ViewSums& sums) {
+    glm::vec3 weight(1);
+    for (int n = 0; n < kMostBounces; ++n) {
+        for (size_t i = 0; i < lights.size(); ++i) {
+            const glm::vec3 sent = weight * sends(s, toEye, lights[i]);
+            if (sent == glm::vec3(0) || t.rays.blocks(from(s, lights[i], dice), t.memory)) continue;
+            sums.direct[i].full += glm::dvec3(sent);
+        }
+        const glm::vec3 way = bounce(s, toEye, dice, weight);
+        const Ray ray = from(s, way, dice);
+        const std::optional<Surface> next = t.rays.closest(ray, t.memory);
+        if (!next) {
+            if (way.y > 0)
+                sums.sky.full += glm::dvec3(weight);
+            else
+                sums.ground.full += glm::dvec3(weight * t.lawn.soilOpen);
+            return;
+        }
+        const float goesOn = std::clamp(std::max({weight.x, weight.y, weight.z}) * 2, 0.02f, 1.0f);
+        if (dice.unit() >= goesOn) return;
+        weight /= goesOn;
+        s = *next;
+        toEye = -way;
+    }
+}
+
+// Rays of a part of a view, until enough of them have met a blade.
+ViewSums traceView(Tracer& t, int view, int part, int rays, const JobControl& control) {
+    ViewSums sums;
+    int met = 0;
+    for (int n = 0; n < 8 * rays && met < rays && !control.cancelled(); ++n) {
+        Dice dice{f32::hash3(static_cast<uint32_t>(view), static_cast<uint32_t>(part), static_cast<uint32_t>(n))};
+        const float azimuth = f32::kTau * dice.unit();
+        const glm::vec3 toEye = raised(azimuth, kViews[view]);
+        const double height = static_cast<double>(t.lawn.height);
+        const glm::dvec3 top(0.5 * kSide + 20 * double(dice.unit()), height, 0.5 * kSide + 20 * double(dice.unit()));
+        const Ray ray{top, -glm::dvec3(toEye), 0, height / double(toEye.y), dice.grain()};
+        const std::optional<Surface> s = t.rays.closest(ray, t.memory);
+        if (!s) continue;
+        ++met;
+        const Lights lights = lightsAbout(azimuth);
+        addLocal(t.lawn, *s, toEye, lights, sums);
+        addFull(t, *s, toEye, lights, dice, sums);
+    }
+    return sums;
+}
+
+// Light at the soil: paths up from it.
+struct SoilSums {
+    ViewSums met;  // full alone
+    int rays = 0, open = 0;
+    void add(const SoilSums& o) { met.add(o.met), rays += o.rays, open += o.open; }
+};
+SoilSums traceSoil(Tracer& t, int part, int rays, const JobControl& control) {
+    SoilSums sums;
+    sums.rays = rays;
+    for (int n = 0; n < rays && !control.cancelled(); ++n) {
+        Dice dice{f32::hash3(0x5011u, static_cast<uint32_t>(part), static_cast<uint32_t>(n))};
+        const glm::dvec3 at(0.5 * kSide + 20 * double(dice.unit()), 1e-4, 0.5 * kSide + 20 * double(dice.unit()));
+        const glm::vec3 way = cosineAround({0, 1, 0}, dice);
+        const std::optional<Surface> s =
+            t.rays.closest({at, glm::dvec3(way), 0, std::numeric_limits<double>::infinity(), dice.grain()}, t.memory);
+        if (s)
+            addFull(t, *s, -way, lightsAbout(f32::kTau * dice.unit()), dice, sums.met);
+        else
+            ++sums.open;
+    }
+    return sums;
+}
+double luminance(const glm::dvec3& c) { return glm::dot(c, glm::dvec3(0.2126, 0.7152, 0.0722)); }
+void tellSoil(const SoilSums& sums, TracedTable& table) {
+    table.soilSky = (sums.open + luminance(sums.met.sky.full)) / std::max(sums.rays, 1);
+    for (size_t i = 0; i < sums.met.direct.size(); ++i)
+        table.soilScattered[i / kTracedTurns] +=
+            luminance(sums.met.direct[i].full) / (kTracedTurns * std::max(sums.rays, 1));
+}
+
+// A weighted least-squares fit of N numbers a colour, held near `first` = 1 and the rest 0 where nothing tells them.
+template <size_t N>
+struct Fit {
+    std::array<std::array<double, N>, N> squares{};
+    std::array<glm::dvec3, N> products{};
+    void add(const std::array<double, N>& terms, const glm::dvec3& value, double weight) {
+        for (size_t i = 0; i < N; ++i) {
+            for (size_t k = 0; k < N; ++k) squares[i][k] += weight * terms[i] * terms[k];
+            products[i] += weight * terms[i] * value;
+        }
+    }
+    // By elimination; the held fit has no vanishing pivot.
+    std::array<glm::vec3, N> solve() {
+        constexpr double kHeld = 1e-3;
+        for (size_t i = 0; i < N; ++i) squares[i][i] += kHeld;
+        products[0] += kHeld;
+        for (size_t i = 0; i < N; ++i)
+            for (size_t k = i + 1; k < N; ++k) {
+                const double times = squares[k][i] / squares[i][i];
+                for (size_t m = i; m < N; ++m) squares[k][m] -= times * squares[i][m];
+                products[k] -= times * products[i];
+            }
+        std::array<glm::vec3, N> out{};
+        for (size_t i = N; i-- > 0;) {
+            glm::dvec3 rest = products[i];
+            for (size_t m = i + 1; m < N; ++m) rest -= squares[i][m] * glm::dvec3(out[m]);
+            out[i] = glm::vec3(rest / squares[i][i]);
+        }
+        return out;
+    }
+};
+
+std::array<double, TRACED_DIRECT> termsOf(float view, float light, float turn) {
+    const f32::TracedTerms t = f32::tracedTerms(raised(0, view), raised(turn, light));
+    const glm::vec3 by = f32::tracedRise(light);
+    std::array<double, TRACED_DIRECT> out{};
+    for (int k = 0; k < 3; ++k) {
+        const auto from = static_cast<size_t>(TRACED_TERMS * k);
+        out[from + 6] = static_cast<double>(by[k] * t.glow);
+        for (int i = 0; i < 3; ++i) {
+            out[from + static_cast<size_t>(i)] = static_cast<double>(by[k] * t.rise[i]);
+            out[from + static_cast<size_t>(i) + 3] = static_cast<double>(by[k] * t.across[i]);
+        }
+    }
+    return out;
+}
+
+std::array<glm::vec3, TRACED_RISE> fitRise(const std::array<TracedSums, kTracedViews>& sums) {
+    Fit<TRACED_RISE> fit;
+    for (size_t i = 0; i < sums.size(); ++i) {
+        const glm::vec3 rise = f32::tracedRise(kViews[i]);
+        fit.add({static_cast<double>(rise.x), static_cast<double>(rise.y), static_cast<double>(rise.z)},
+                sums[i].full / glm::max(sums[i].local, glm::dvec3(1e-9)), 1);
+    }
+    return fit.solve();
+}
+
+// --- the file of the cache: the numbers, and a hash of their bytes
+constexpr size_t kNumbers = 3 * (TRACED_DIRECT + 2 * TRACED_RISE + 1) + 1;
+static_assert(sizeof(TracedLight) == kNumbers * sizeof(float));
+
+std::filesystem::path tracedFile(const std::filesystem::path& folder, uint64_t key) {
+    return folder / "traced" / (hashHex(key) + ".traced");
+}
+std::optional<TracedLight> parse(const std::string& bytes, std::string& wrong) {
+    uint64_t sum;
+    if (bytes.size() != sizeof(TracedLight) + sizeof(sum)) return wrong = "it is truncated", std::nullopt;
+    std::memcpy(&sum, bytes.data() + sizeof(TracedLight), sizeof(sum));
+    if (sum != hashBytes(bytes.data(), sizeof(TracedLight))) return wrong = "it is damaged", std::nullopt;
+    TracedLight out;
+    std::memcpy(&out, bytes.data(), sizeof(out));
+    return out;
+}
+void keep(const std::filesystem::path& file, const TracedLight& light) {
+    const uint64_t sum = hashBytes(&light, sizeof(light));
+    std::string bytes(reinterpret_cast<const char*>(&light), sizeof(light));
+    bytes.append(reinterpret_cast<const char*>(&sum), sizeof(sum));
+    writeCached(file, "traced light", bytes);
+}
+
+// --- the effect
+// Where one may wait, waits; else traces beside.
+void updateTraced(DrawContext& ctx, TracedState::One& one, const FieldEntity& field, size_t i) {
+    // Most frames ask for what is there: the name of the blade's image stands for its pixels.
+    const Species& species = field.grows.species[i];
+    const uint64_t asked =
+        tracedKey(tracedSpec(ctx.project, field, i, {})) ^ hashBytes(species.texture.data(), species.texture.size());
+    if (one.asked == asked && one.light) return;
+    const TracedSpec spec = tracedSpec(ctx.project, field, i, bladeImage(ctx.project, species));
+    const uint64_t key = tracedKey(spec);
+    if (one.bakeOf != key) one.bake = {};  // the light of what was is shown meanwhile: nearer than none
+    if (ctx.sketching()) return;
+    const auto take = [&](Result<TracedLight> made) {
+        if (made) one.light = *made, one.asked = asked;
+    };
+    JobControl control;
+    if (!ctx.settings.background) return take(tracedLight(cacheDir(), spec, control));
+    if (auto made = one.bake.take(key)) return take(std::move(*made));
+    if (one.bake.active()) return;
+    one.bakeOf = key;
+    one.bake = Job<TracedLight>("light between blades of " + spec.species.species.name, key,
+                                [spec](JobControl& c) { return tracedLight(cacheDir(), spec, c); });
+}
+
+void update(DrawContext& ctx) {
+    TracedState& state = ctx.own<TracedState>();
+    std::map<std::string, std::vector<TracedState::One>> now;
+    for (const auto& [name, field] : fieldsOf(ctx.project)) {
+        if (!has(fieldFeatures(ctx.tables.techniques, field), Feature::GrassTraced)) continue;
+        std::vector<TracedState::One>& species = now[name] = std::move(state.fields[name]);
+        species.resize(field.grows.species.size());
+        for (size_t i = 0; i < species.size(); ++i) updateTraced(ctx, species[i], field, i);
+    }
+    state.fields = std::move(now);
+    ctx.shared.traced = &state;
+}
+
+const System kSystems[] = {{"grass/traced", {.writes = {Slot::Traced}}, update, true}};
+
+}  // namespace
+
+float tracedView(int i) { return kViews[i]; }
+float tracedLightSine(int i) { return kLights[i]; }
+float tracedTurn(int i) { return kTurns[i]; }
+
+TracedSpec tracedSpec(const Project& project, const FieldEntity& field, size_t species, const Rgba8& blade) {
+    return {sliceSpec(field, species, blade, true), project.dir};
+}
+
+uint64_t tracedKey(const TracedSpec& spec) {
+    SliceSpec s = spec.species;
+    s.slices = s.width = s.height = s.farSize = 0;
+    const Species& p = s.species;
+    const float read[] = {
+        static_cast<float>(kVersion), p.translucency, p.gloss, p.roughness, p.leanDeg, p.clumpSize, p.clumpStrength};
+    const uint64_t parts[] = {sliceKey(s), hashBytes(read, sizeof(read))};
+    return hashBytes(parts, sizeof(parts));
+}
+
+Result<TracedTable> traceTable(const TracedSpec& spec, int rays, JobControl& control) {
+    Result<Lawn> lawn = lawnOf(spec);
+    if (!lawn) return lawn.error();
+    const Result<GrassRays> grass = GrassRays::make(lawn->project, 0, control);
+    if (!grass) return grass.error();
+    std::array<SoilSums, kParts> soil;
+    parallelFor(kParts, [&](size_t part) {
+        Tracer t{*lawn, *grass};
+        soil[part] = traceSoil(t, static_cast<int>(part), std::max(rays / kParts, 1), control);
+    });
+    TracedTable table;
+    for (size_t part = 1; part < kParts; ++part) soil[0].add(soil[part]);
+    tellSoil(soil[0], table);
+    lawn->soilOpen = static_cast<float>(table.soilSky);
+    std::array<ViewSums, kParts * kTracedViews> sums;
+    std::atomic<int> done = 0;
+    parallelFor(kParts, [&](size_t part) {
+        Tracer t{*lawn, *grass};
+        for (int view = 0; view < kTracedViews; ++view) {
+            sums[part * kTracedViews + static_cast<size_t>(view)] =
+                traceView(t, view, static_cast<int>(part), std::max(rays / kParts, 1), control);
+            control.setProgress(static_cast<double>(++done) / static_cast<double>(sums.size()));
+        }
+    });
+    if (control.cancelled()) return failed("cancelled");
+    for (size_t view = 0; view < kTracedViews; ++view) {
+        ViewSums all;
+        for (size_t part = 0; part < kParts; ++part) all.add(sums[part * kTracedViews + view]);
+        table.direct[view] = all.direct;
+        table.sky[view] = all.sky, table.ground[view] = all.ground;
+    }
+    return table;
+}
+
+TracedLight fitTraced(const TracedTable& table) {
+    Fit<TRACED_DIRECT> fit;
+    for (int light = 0; light < kTracedLights; ++light) {
+        const auto sumsOf = [&](int view, int turn) -> const TracedSums& {
+            return table.direct[static_cast<size_t>(view)][static_cast<size_t>(light * kTracedTurns + turn)];
+        };
+        double mean = 0;
+        for (int view = 0; view < kTracedViews; ++view)
+            for (int turn = 0; turn < kTracedTurns; ++turn)
+                mean += sumsOf(view, turn).local.y / (kTracedViews * kTracedTurns);
+        if (!(mean > 0)) continue;
+        for (int view = 0; view < kTracedViews; ++view)
+            for (int turn = 0; turn < kTracedTurns; ++turn) {
+                const TracedSums& s = sumsOf(view, turn);
+                fit.add(termsOf(kViews[view], kLights[light], tracedTurn(turn)),
+                        s.full / glm::max(s.local, glm::dvec3(1e-9)), s.local.y / mean);
+            }
+    }
+    TracedLight light{fit.solve(), fitRise(table.sky), fitRise(table.ground)};
+    Fit<TRACED_RISE> scattered;
+    for (size_t i = 0; i < kTracedLights; ++i) {
+        const glm::dvec3 rise(f32::tracedRise(kLights[i]));
+        scattered.add({rise.x, rise.y, rise.z}, glm::dvec3(table.soilScattered[i]), 1e3);
+    }
+    const auto numbers = scattered.solve();
+    light.soilScattered = {numbers[0].x, numbers[1].x, numbers[2].x};
+    light.soilSky = static_cast<float>(table.soilSky);
+    return light;
+}
+
+Result<TracedLight> tracedLight(const std::filesystem::path& folder, const TracedSpec& spec, JobControl& control) {
+    const std::filesystem::path file = tracedFile(folder, tracedKey(spec));
+    if (auto kept = loadCached(file, 1 << 16, "traced light", parse)) return *kept;
+    const Result<TracedTable> table = traceTable(spec, kRays, control);
+    if (!table) return table.error();
+    const TracedLight light = fitTraced(*table);
+    keep(file, light);
+    return light;
+}
+
+const EffectRow& tracedEffect() {
+    static const EffectRow row{
+        .name = "grass/traced",
+        .needs = featureSet(Feature::Grass, Feature::GrassTraced),
+        .systems = kSystems,
+        .makeState = [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<TracedState>(); },
+        .help = "light from blade to blade"};
+    return row;
+}
+
+}  // namespace sward

@@ -1,0 +1,59 @@
+// Light from blade to blade, traced once a species and kept: by how much its grass is brighter than local light says
+// (grass/traced.h), over all views and lights.
+// Rays are sent down onto an endless lawn of the species at full density. What blade they meet is lit twice: as
+// techniques light it (a shadow mask's mean at that height; the share of the sky that the depth below the tips leaves),
+// and by paths, from blade to blade and through them, up to the sky or down to the soil, with light from 30 directions
+// at each meeting. The quotients of the sums are fitted by polynomials. The soil sends nothing of its own light: what
+// comes up from it is counted as light from below, as dim as the soil lies under the grass.
+// Does not: know slopes, paint, wind, other species, or objects near by. Cost: about 2 s a species on two cores; kept
+// in the cache folder by content, 1 KB.
+#pragma once
+#include <filesystem>
+
+#include "core/jobs.h"
+#include "grass/slice_bake.h"
+#include "grass/traced.h"
+#include "scene/technique.h"
+
+namespace sward {
+
+struct EffectRow;
+
+struct TracedSpec {
+    SliceSpec species;          // its slices' sizes are not read
+    std::filesystem::path dir;  // of the project, in which the blade's texture lies
+};
+TracedSpec tracedSpec(const Project& project, const FieldEntity& field, size_t species, const Rgba8& blade);
+// Hash over all that traceLight reads.
+uint64_t tracedKey(const TracedSpec& spec);
+
+// Sums over what was seen, for one direction of the eye (by elevation) and one light.
+struct TracedSums {
+    glm::dvec3 local{0}, full{0};
+};
+// What rays have seen, before it is fitted.
+inline constexpr int kTracedViews = 5, kTracedLights = 5, kTracedTurns = 6;
+struct TracedTable {
+    std::array<std::array<TracedSums, kTracedLights * kTracedTurns>, kTracedViews> direct;  // by turn, then elevation
+    std::array<TracedSums, kTracedViews> sky, ground;
+    // What comes to the soil, as shares of the sky's light and of that on what faces the sun, by the sun's elevation.
+    double soilSky = 0;
+    std::array<double, kTracedLights> soilScattered{};
+};
+// Sines of the elevations of views and lights; and the cosine between their level parts, as a number of a turn.
+float tracedView(int i);
+float tracedLightSine(int i);
+float tracedTurn(int i);
+
+// rays: that meet a blade, a view. Failed without memory or when cancelled.
+Result<TracedTable> traceTable(const TracedSpec& spec, int rays, JobControl& control);
+// The polynomials that come nearest to a table's quotients.
+TracedLight fitTraced(const TracedTable& table);
+// From the cache folder, or traced and kept there.
+Result<TracedLight> tracedLight(const std::filesystem::path& folder, const TracedSpec& spec, JobControl& control);
+
+// Row of the effect "grass/traced": runs in scenes with grass that asks for GrassTraced. In the editor it traces beside
+// the pictures, and local light is all until then.
+const EffectRow& tracedEffect();
+
+}  // namespace sward

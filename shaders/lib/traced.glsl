@@ -1,0 +1,40 @@
+// By how much blades are brighter than their local light says: light from blade to blade, and that what is seen is lit
+// (grass/traced.h). No fragment shaders. Needs: const bool GRASS_TRACED.
+#include "lib/frame.glsl"
+#include "numerics/light.h"
+#include "lib/species.glsl"
+#include "numerics/traced.h"
+
+// Factor of a direct light from `towards` at a density, seen along toEye (both unit).
+vec3 tracedLamp(vec3 toEye, vec3 towards, float density) {
+    if (!GRASS_TRACED) return vec3(1.0);
+    TracedTerms t = tracedTerms(toEye, towards);
+    vec3 by = tracedRise(towards.y), sum = vec3(0.0);
+    for (int k = 0; k < 3; ++k) {
+        int from = TRACED_TERMS * k;
+        sum += by[k] * t.glow * species.traced[from + 6].rgb;
+        for (int i = 0; i < 3; ++i)
+            sum += by[k] * (species.traced[from + i].rgb * t.rise[i] + species.traced[from + 3 + i].rgb * t.across[i]);
+    }
+    return mix(vec3(1.0), max(sum, vec3(0.0)), density);
+}
+// The same of the sun, whose elevation is in the numbers already.
+vec3 tracedSun(vec3 toEye, float density) {
+    if (!GRASS_TRACED) return vec3(1.0);
+    TracedTerms t = tracedTerms(toEye, frame.sunDirection);
+    vec3 sum = species.tracedSun[6].rgb * t.glow;
+    for (int i = 0; i < 3; ++i)
+        sum += species.tracedSun[i].rgb * t.rise[i] + species.tracedSun[3 + i].rgb * t.across[i];
+    return mix(vec3(1.0), max(sum, vec3(0.0)), density);
+}
+// Light from above and below on a side of a blade that faces n, divided by pi. At any density: local light takes the
+// share of the sky for that of full grass everywhere.
+vec3 tracedAmbient(vec3 n, vec3 toEye) {
+    if (!GRASS_TRACED) return halvesLight(frame.groundLight, frame.skyLight, n.y);
+    vec3 rise = tracedRise(toEye.y), sky = vec3(0.0), ground = vec3(0.0);
+    for (int i = 0; i < 3; ++i) {
+        sky += species.tracedSky[i].rgb * rise[i];
+        ground += species.tracedGround[i].rgb * rise[i];
+    }
+    return halvesLight(frame.groundLight * max(ground, vec3(0.0)), frame.skyLight * max(sky, vec3(0.0)), n.y);
+}

@@ -1,0 +1,29 @@
+// By how much grass is brighter than its local light says, as polynomials fitted to traced rays (grass/traced.h).
+
+#ifndef __cplusplus
+#include "numerics/glsl.h"
+#endif
+
+// 1, y, y^2. y: sine of the elevation of eye or light; beyond [0, 1] it is clamped.
+FN vec3 tracedRise(real y) {
+    real up = clamp(y, real(0.0), real(1.0));
+    return vec3(real(1.0), up, up * up);
+}
+// What the factor of a direct light is a sum of, for one elevation of the light.
+struct TracedTerms {
+    vec3 rise;    // of the eye: tracedRise
+    vec3 across;  // h, h y, h^2
+    real glow;    // near to the light's own direction, where one sees what is lit alone: cosine^8 of the angle between
+};
+// Towards the eye and the light, unit; h is the product of their level parts.
+FN TracedTerms tracedTerms(vec3 toEye, vec3 towards) {
+    TracedTerms t;
+    t.rise = tracedRise(toEye.y);
+    real h = toEye.x * towards.x + toEye.z * towards.z;
+    t.across = vec3(h, h * t.rise.y, h * h);
+    real near = max(h + t.rise.y * towards.y, real(0.0));
+    real near2 = near * near;
+    real near4 = near2 * near2;
+    t.glow = near4 * near4;
+    return t;
+}

@@ -1,0 +1,91 @@
+// A dense lawn as bright by each technique as the ray-traced truth with all light from blade to blade, whichever way
+// one looks and the light comes.
+#include <map>
+
+#include "comparison.h"
+#include "reference/reference.h"
+#include "scenes.h"
+#include "techniques.h"
+#include "tests/missed.h"
+
+namespace sward::test {
+namespace {
+
+constexpr int kSightWidth = 40, kSightHeight = 30;
+constexpr double kSightLimit = 0.15;  // of the truth's brightness
+
+Project turf() {
+    Project p = designed(kLawn, 8);
+    removeEntity(p, "haze");
+    Species& s = p.registry.get<GrassField>(findEntity(p, "grass"))->species[0];
+    s.bladesPerM2 = 12000, s.height = 0.075f, s.width = 0.0035f, s.translucency = 0.6f, s.gloss = 0.6f;
+    return p;
+}
+// Towards the middle of the lawn, so steeply (degrees).
+ViewCamera lookingDown(double degrees) {
+    const double at = glm::radians(degrees);
+    return {{4, 2 * std::sin(at) + 0.05, 4 - 2 * std::cos(at)}, {4, 0.05, 4}, 16, 0};
+}
+double mean(const std::vector<float>& image) {
+    double sum = 0;
+    for (size_t i = 1; i < image.size(); i += 3) sum += static_cast<double>(image[i]);
+    return sum / static_cast<double>(image.size() / 3);
+}
+double drawnBy(Project& p, Technique technique, BakeLight light, const ViewCamera& camera) {
+    grassIn(p).technique = nameOf(technique);
+    grassIn(p).drawing.bakeLight = light;
+    Renderer r(gpu(), tables());
+    EXPECT_TRUE(r.draw(p, camera, sized(kSightWidth, kSightHeight)));
+    return mean(r.readLinear());
+}
+double tracedTruth(const Project& p, const ViewCamera& camera) {
+    JobControl control;
+    const auto scene = ReferenceScene::make(p, tables(), 0, control);
+    EXPECT_TRUE(scene) << scene.error().text();
+    ReferenceSettings s;
+    s.width = kSightWidth, s.height = kSightHeight, s.samples = 24;
+    return mean(scene->trace(camera, s, control)->color);
+}
+
+struct Sight {
+    const char* name;
+    float sky, sun, azimuthDeg;
+    double degrees;
+    std::map<Technique, double> missed;  // by how much each is off where that is more than the limit, as last seen
+};
+
+TEST(LightByView, IsTheTruthsByEachTechnique) {
+    NoGlErrors errors;
+    const Sight sights[] = {
+        {"an even sky", 1, 0, 0, 25, {}},
+        {"the sun behind the eye", 0, 1, 0, 25, {{Technique::Flat, 0.175}}},
+        {"the sun ahead", 0, 1, 180, 25, {}},
+        {"the sun from the side", 0, 1, 90, 25, {}},
+        {"the sun behind the eye, from above", 0, 1, 0, 50, {{Technique::Slices, 0.191}, {Technique::Flat, 0.207}}}};
+    double traced = 0, local = 0;
+    for (const Sight& sight : sights) {
+        Project p = turf();
+        Sky& sky = *p.registry.get<Sky>(findEntity(p, "sky"));
+        sky.intensity = sight.sky, sky.model = SkyModel::Uniform;
+        Light& sun = sunIn(p);
+        sun.intensity = sight.sun, sun.azimuthDeg = sight.azimuthDeg, sun.elevationDeg = 38;
+        const ViewCamera camera = lookingDown(sight.degrees);
+        const double truth = tracedTruth(p, camera);
+        for (const Technique t : {Technique::Geometry, Technique::Tessellated, Technique::Slices, Technique::Flat}) {
+            const double with = drawnBy(p, t, BakeLight::Traced, camera) / truth,
+                         without = drawnBy(p, t, BakeLight::Local, camera) / truth;
+            printf("%-36s %-12s traced %.3f local %.3f of the truth\n", sight.name, nameOf(t), with, without);
+            const auto missed = sight.missed.find(t);
+            if (missed == sight.missed.end())
+                EXPECT_NEAR(with, 1, kSightLimit) << sight.name << ", " << nameOf(t);
+            else
+                expectMissed(fmt::format("light of {} by {}", sight.name, nameOf(t)), std::abs(with - 1), kSightLimit,
+                             missed->second);
+            traced += std::abs(with - 1), local += std::abs(without - 1);
+        }
+    }
+    EXPECT_LT(traced, 0.6 * local) << "local light is the rival that must lose";
+}
+
+}  // namespace
+}  // namespace sward::test

@@ -1,0 +1,55 @@
+// Factors of traced light as the engine and shaders read them.
+#include "grass/traced.h"
+
+#include <gtest/gtest.h>
+
+#include "core/numerics.h"
+#include "support.h"
+
+namespace sward::test {
+namespace {
+
+TracedLight someLight() {
+    TracedLight t;
+    for (size_t i = 0; i < t.direct.size(); ++i)
+        t.direct[i] = glm::vec3(0.1f, 0.2f, -0.05f) * static_cast<float>(i + 1);
+    t.sky = {glm::vec3(2), glm::vec3(-0.5f), glm::vec3(0.1f)};
+    t.ground = {glm::vec3(0.2f), glm::vec3(0), glm::vec3(1)};
+    t.soilScattered = {0.01f, 0.02f, -0.1f};
+    t.soilSky = 0.4f;
+    return t;
+}
+
+// What a shader makes of the numbers it is given.
+glm::vec3 asShadersRead(const SpeciesGlobals& g, const glm::vec3& toEye, const glm::vec3& sun) {
+    const f32::TracedTerms t = f32::tracedTerms(toEye, sun);
+    glm::vec3 sum = glm::vec3(g.tracedSun[6]) * t.glow;
+    for (int i = 0; i < 3; ++i)
+        sum += glm::vec3(g.tracedSun[i]) * t.rise[i] + glm::vec3(g.tracedSun[i + 3]) * t.across[i];
+    return glm::max(sum, glm::vec3(0));
+}
+
+TEST(Traced, ShadersReadTheSunsFactorsAsTheEngineDoes) {
+    const glm::vec3 sun = glm::normalize(glm::vec3(1, 0.8f, 0.3f));
+    SpeciesGlobals g{};
+    setTraced(g, nullptr, sun);
+    EXPECT_EQ(asShadersRead(g, {0.6f, 0.8f, 0}, sun), glm::vec3(1)) << "nothing was traced";
+    const TracedLight light = someLight();
+    setTraced(g, &light, sun);
+    for (const glm::vec3& eye : {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::normalize(glm::vec3(-1, 0.2f, 0.7f))}) {
+        const glm::vec3 want = tracedDirect(light, eye, sun), got = asShadersRead(g, eye, sun);
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(got[c], want[c], 1e-5f * (1 + want[c]));
+    }
+}
+
+TEST(Traced, FactorsNeverDarkenBelowNothing) {
+    const TracedLight light = someLight();
+    EXPECT_EQ(tracedDirect(light, {0, 1, 0}, {0, 1, 0}).z, 0.0f) << "its polynomial is negative there";
+    EXPECT_EQ(soilScattered(light, 1), 0.0f);
+    EXPECT_GT(soilScattered(light, 0.2f), 0.0f);
+    EXPECT_EQ(tracedRise(light.sky, 0), glm::vec3(2));
+    EXPECT_EQ(tracedRise(light.sky, -1), tracedRise(light.sky, 0)) << "an eye below the blade looks along the ground";
+}
+
+}  // namespace
+}  // namespace sward::test

@@ -1,0 +1,138 @@
+// Light from blade to blade as it is traced and kept. That pictures are as bright as the truth for it: LightByView.
+#include "reference/traced_light.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "core/log.h"
+#include "support.h"
+
+namespace sward::test {
+namespace {
+
+TracedSpec dense() {
+    TracedSpec spec;
+    Species& s = spec.species.species;
+    s.name = "dense", s.bladesPerM2 = 8000, s.height = 0.08f, s.width = 0.004f;
+    spec.species.cellSize = 0.25f;
+    spec.species.shadowMask = 64;
+    spec.species.blade = makeBladeImage(32, 128);
+    return spec;
+}
+TracedSpec coloured(float reflectance, float translucency) {
+    TracedSpec spec = dense();
+    Species& s = spec.species.species;
+    s.rootColor = s.midColor = s.tipColor = glm::vec3(reflectance);
+    s.hueVariationDeg = s.lightnessVariation = 0;
+    s.translucency = translucency;
+    return spec;
+}
+TracedTable tableOf(const TracedSpec& spec, int rays = 160) {
+    JobControl control;
+    const auto table = traceTable(spec, rays, control);
+    EXPECT_TRUE(table) << table.error().text();
+    return table ? *table : TracedTable{};
+}
+double meanQuotient(const TracedTable& t) {
+    double local = 0, full = 0;
+    for (const auto& view : t.direct)
+        for (const TracedSums& s : view) local += s.local.y, full += s.full.y;
+    return full / local;
+}
+double skyQuotient(const TracedTable& t, size_t view) { return t.sky[view].full.y / t.sky[view].local.y; }
+
+TEST(TracedLightOf, BlackBladesSendNoLightToEachOtherAndBrightOnesDo) {
+    const TracedTable dark = tableOf(coloured(0.02f, 0)), bright = tableOf(coloured(0.45f, 0.9f));
+    // Of dark blades what is left is that the mask is a mean: what is lit is a little less or more than it says.
+    EXPECT_NEAR(meanQuotient(dark), 1, 0.15);
+    EXPECT_GT(meanQuotient(bright), 1.25 * meanQuotient(dark));
+    EXPECT_GT(skyQuotient(bright, 2), 1.25 * skyQuotient(dark, 2));
+    EXPECT_GT(bright.soilSky, dark.soilSky) << "what shines through blades comes down, too";
+    for (size_t i = 0; i < bright.soilScattered.size(); ++i)
+        EXPECT_GT(bright.soilScattered[i], 4 * dark.soilScattered[i]) << i;
+}
+
+TEST(TracedLightOf, WhatLooksAlongTheLightSeesWhatIsLit) {
+    const TracedTable t = tableOf(coloured(0.02f, 0), 320);
+    const auto quotient = [&](size_t turn) {
+        const TracedSums& s = t.direct[2][1 * kTracedTurns + turn];  // 27 degrees up, the light 17
+        return s.full.y / s.local.y;
+    };
+    EXPECT_GT(quotient(0), 1.1 * quotient(2));
+}
+
+TEST(TracedLightOf, IsTheSameEachTime) {
+    const TracedTable a = tableOf(dense(), 48), b = tableOf(dense(), 48);
+    for (size_t view = 0; view < kTracedViews; ++view) {
+        EXPECT_EQ(a.sky[view].full, b.sky[view].full);
+        for (size_t i = 0; i < a.direct[view].size(); ++i) EXPECT_EQ(a.direct[view][i].full, b.direct[view][i].full);
+    }
+    EXPECT_EQ(a.soilSky, b.soilSky);
+}
+
+TEST(TracedLightOf, ATableThatIsAPolynomialIsFittedByIt) {
+    TracedLight want;
+    for (size_t i = 0; i < want.direct.size(); ++i) want.direct[i] = glm::vec3(i == 0 ? 1.0f : 0.03f * float(i % 5));
+    want.sky = {glm::vec3(1.8f), glm::vec3(-0.6f), glm::vec3(0.1f)}, want.ground = {glm::vec3(0.2f), {}, glm::vec3(1)};
+    TracedTable t;
+    for (int v = 0; v < kTracedViews; ++v) {
+        const float y = tracedView(v), level = std::sqrt(1 - y * y);
+        for (int l = 0; l < kTracedLights; ++l)
+            for (int k = 0; k < kTracedTurns; ++k) {
+                const float ly = tracedLightSine(l), across = std::sqrt(1 - ly * ly);
+                const glm::vec3 towards(across * std::cos(tracedTurn(k)), ly, across * std::sin(tracedTurn(k)));
+                t.direct[size_t(v)][size_t(l * kTracedTurns + k)] = {
+                    glm::dvec3(2), glm::dvec3(2.0f * tracedDirect(want, {level, y, 0}, towards))};
+            }
+        t.sky[size_t(v)] = {glm::dvec3(3), glm::dvec3(3.0f * tracedRise(want.sky, y))};
+        t.ground[size_t(v)] = {glm::dvec3(3), glm::dvec3(3.0f * tracedRise(want.ground, y))};
+    }
+    const TracedLight got = fitTraced(t);
+    for (const glm::vec3& eye : {glm::vec3(0.8f, 0.6f, 0), glm::vec3(0, 1, 0)})
+        for (const glm::vec3& light : {glm::vec3(0.8f, 0.6f, 0), glm::normalize(glm::vec3(-1, 1, 1))})
+            EXPECT_NEAR(tracedDirect(got, eye, light).y, tracedDirect(want, eye, light).y, 0.02f);
+    EXPECT_NEAR(tracedRise(got.sky, 0.5f).y, tracedRise(want.sky, 0.5f).y, 0.005f);
+    EXPECT_NEAR(tracedRise(got.ground, 0.5f).y, tracedRise(want.ground, 0.5f).y, 0.005f);
+}
+
+TEST(TracedLightOf, IsKeptAndADamagedFileIsMadeAnew) {
+    const TempDir folder;
+    const TracedSpec spec = dense();
+    JobControl control;
+    const auto made = tracedLight(folder.path, spec, control);
+    ASSERT_TRUE(made) << made.error().text();
+    std::filesystem::path file;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path))
+        if (entry.is_regular_file()) file = entry.path();
+    ASSERT_FALSE(file.empty());
+    EXPECT_LT(std::filesystem::file_size(file), 4096u);
+    {
+        std::fstream bytes(file, std::ios::in | std::ios::out | std::ios::binary);
+        bytes.seekp(17).put('x');
+    }
+    const auto again = tracedLight(folder.path, spec, control);
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again->direct, made->direct);
+    EXPECT_EQ(again->sky, made->sky);
+    TracedSpec other = spec;
+    other.species.species.gloss += 0.1f;
+    EXPECT_NE(tracedKey(other), tracedKey(spec));
+    other = spec;
+    other.species.species.tipColor.y += 0.1f;
+    EXPECT_NE(tracedKey(other), tracedKey(spec));
+    other = spec;
+    other.species.slices = 5;
+    EXPECT_EQ(tracedKey(other), tracedKey(spec)) << "its slices are not read";
+}
+
+TEST(TracedLightOf, EndsWhenItIsCancelled) {
+    const TempDir folder;
+    JobControl control;
+    control.cancel();
+    EXPECT_FALSE(tracedLight(folder.path, dense(), control));
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path));
+}
+
+}  // namespace
+}  // namespace sward::test
