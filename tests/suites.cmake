@@ -30,9 +30,14 @@ foreach(line IN LISTS lines)
 endforeach()
 
 set(script "")
+# Those that take long begin first, so that both cores are busy to the end.
 function(add title filter labels)
+  set(cost 1)
+  if(labels MATCHES slow)
+    set(cost 10)
+  endif()
   string(APPEND script "add_test([==[${title}]==] [==[${EXECUTABLE}]==] [==[--gtest_filter=${filter}]==] --gtest_brief=1)\n"
-    "set_tests_properties([==[${title}]==] PROPERTIES ${PROPERTIES} LABELS \"${labels}\")\n")
+    "set_tests_properties([==[${title}]==] PROPERTIES ${PROPERTIES} COST ${cost} LABELS \"${labels}\")\n")
   set(script "${script}" PARENT_SCOPE)
 endfunction()
 set(shared "")  # suites that wait for others to share a process

@@ -2,9 +2,11 @@
 #pragma once
 #include <unistd.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string>
 
 namespace sward::test {
@@ -25,6 +27,28 @@ struct TempDir {
     TempDir(const TempDir&) = delete;
     TempDir& operator=(const TempDir&) = delete;
     std::filesystem::path operator/(const std::string& name) const { return path / name; }
+};
+
+// While it lives nothing is baked yet, and what is baked goes with it.
+class EmptyCache {
+  public:
+    EmptyCache() {
+        if (const char* was = std::getenv("XDG_CACHE_HOME")) before_ = was;
+        setenv("XDG_CACHE_HOME", folder_.path.c_str(), 1);
+    }
+    ~EmptyCache() {
+        if (before_)
+            setenv("XDG_CACHE_HOME", before_->c_str(), 1);
+        else
+            unsetenv("XDG_CACHE_HOME");
+    }
+
+    // Of this and other programs: cacheDir() lies in it.
+    const std::filesystem::path& path() const { return folder_.path; }
+
+  private:
+    TempDir folder_;
+    std::optional<std::string> before_;
 };
 
 // Makes the folders on the way.

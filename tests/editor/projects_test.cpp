@@ -21,7 +21,7 @@ Result<Project> make(const TempDir& dir, const std::string& place) {
     fs::create_directories(folder);
     fs::copy_file(fs::path(SWARD_SOURCE_DIR) / place / "make.lua", folder / "make.lua",
                   fs::copy_options::overwrite_existing);
-    setenv("XDG_CACHE_HOME", (dir / "cache").c_str(), 1);  // what is baked is baked here, not found
+    const test::EmptyCache cache;  // what is baked is baked here, not found
     Document document(tables());
     ScriptHost host{document};
     offerBakes(host);

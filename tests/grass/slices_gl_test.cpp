@@ -234,6 +234,7 @@ TEST(Slices, WhereTheyArePressedTheGroundIsAsGreenAsUnderBladesThatLie) {
 }
 
 TEST(Slices, AreMadeBesideWithADraftShownUntilTheyAreThere) {
+    const EmptyCache cache;
     NoGlErrors errors;
     Project p = slicedMeadow(Technique::Slices);
     slicedGrass(p).drawing.bakeLight = BakeLight::Local;  // which makes nothing else beside
@@ -256,6 +257,7 @@ TEST(Slices, AreMadeBesideWithADraftShownUntilTheyAreThere) {
 }
 
 TEST(Slices, ABakeForOtherBladesIsCancelledAndCachedOnesComeAtOnce) {
+    const EmptyCache cache;
     NoGlErrors errors;
     Project p = slicedMeadow(Technique::Slices);
     slicedGrass(p).drawing.bakeLight = BakeLight::Local;

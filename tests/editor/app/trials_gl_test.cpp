@@ -74,7 +74,7 @@ TEST_F(EditorUi, AWindowOfOnePointIsOutlived) {
 }
 
 TEST_F(EditorUi, UndoWhileOcclusionIsBakedLeavesThePresentScene) {
-    setenv("XDG_CACHE_HOME", (dir / "cache").c_str(), 1);
+    const test::EmptyCache cache;
     ASSERT_TRUE(doc.setField("sun.Light.elevationDeg", "20"));
     ok(ui->click("Menu/Bake/Ambient Occlusion"));
     ASSERT_TRUE(app->background.occlusion);

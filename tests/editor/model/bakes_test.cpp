@@ -19,10 +19,10 @@ namespace {
 // A new project with a box on it; the cache in a folder of the test's own.
 struct Bench {
     test::TempDir dir;
+    test::EmptyCache cache;
     Document doc{tables()};
     std::string field;
     Bench() {
-        setenv("XDG_CACHE_HOME", (dir / "cache").c_str(), 1);
         EXPECT_TRUE(doc.create(dir / "p"));
         const Solid box{.size = {4, 3, 4}};
         test::writeText(dir / "p/box.glb", *encodeGlb(makeMesh({&box, 1})));
@@ -66,7 +66,7 @@ TEST(Bakes, AmbientOcclusionIsOneUndoStepAndTheSameEachTime) {
     EXPECT_EQ(b.grass().ambientOcclusionTiling, 3);
     ASSERT_TRUE(row.run(b.doc, kSmall, kGoOn));
     EXPECT_EQ(b.map().hash(), hash) << "from the cache";
-    std::filesystem::remove_all(b.dir / "cache");
+    std::filesystem::remove_all(b.cache.path());
     ASSERT_TRUE(row.run(b.doc, kSmall, kGoOn));
     EXPECT_EQ(b.map().hash(), hash) << "made again";
 }
@@ -133,7 +133,7 @@ TEST(Bakes, SlicesLieInTheCacheAndThoseThatAreThereAreNotMadeAgain) {
     ASSERT_TRUE(made) << made.error().text();
     EXPECT_NE(made->find("MB"), std::string::npos) << *made;
     EXPECT_EQ(made->find("cached"), std::string::npos) << *made;
-    const std::filesystem::path folder = b.dir / "cache/sward/slices";
+    const std::filesystem::path folder = b.cache.path() / "sward/slices";
     const auto files = [&] {
         return std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator());
     };
@@ -152,7 +152,7 @@ TEST(Bakes, CancelledSlicesLeaveNoFile) {
     ASSERT_FALSE(cancelled);
     EXPECT_EQ(cancelled.error().code, ExitCode::Interrupted);
     std::error_code none;
-    for (const auto& file : std::filesystem::recursive_directory_iterator(b.dir / "cache", none))
+    for (const auto& file : std::filesystem::recursive_directory_iterator(b.cache.path(), none))
         EXPECT_FALSE(file.is_regular_file()) << file.path();
 }
 

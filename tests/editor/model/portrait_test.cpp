@@ -18,19 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A cache folder of its own.
 class Portraits : public testing::Test {
   protected:
-    void SetUp() override {
-        if (const char* was = std::getenv("XDG_CACHE_HOME")) before = was;
-        setenv("XDG_CACHE_HOME", (dir / "cache").c_str(), 1);
-    }
-    void TearDown() override {
-        if (before.empty())
-            unsetenv("XDG_CACHE_HOME");
-        else
-            setenv("XDG_CACHE_HOME", before.c_str(), 1);
-    }
     std::vector<fs::path> kept() {
         std::vector<fs::path> files;
         if (fs::exists(cacheDir() / "portraits"))
@@ -46,7 +35,7 @@ class Portraits : public testing::Test {
         test::writeText(dir / file, *encodeGlb(makeMesh({&ball, 1})));
     }
     test::TempDir dir;
-    std::string before;
+    test::EmptyCache cache;
     JobControl control;
 };
 

@@ -7,7 +7,7 @@ namespace {
 using test::EditorUi;
 
 TEST_F(EditorUi, AmbientOcclusionIsBakedBesideTheEditorAndCanBeCancelled) {
-    setenv("XDG_CACHE_HOME", (dir / "cache").c_str(), 1);
+    const test::EmptyCache cache;
     const auto baked = [&] { return field("lawn.GrassField.ambientOcclusion") != ""; };
     ok(ui->click("Menu/Bake/Ambient Occlusion"));
     ASSERT_TRUE(app->background.occlusion);
