@@ -3,6 +3,7 @@
 #include <tiny_gltf.h>
 
 #include <glm/gtc/quaternion.hpp>
+#include <utility>
 
 #include "core/numerics.h"
 #include "frame/flower_image.h"
@@ -250,9 +251,11 @@ Status addScattered(tinygltf::Model& m, const Project& p, const Ground& ground, 
         const Forest& forest = *rule;
         std::vector<Instances> byMesh(forest.species.size());
         const StandingForest all = standingForest(forest, ground);
-        for (const StandingTree& t : all.trees)
+        for (StandingTree t : all.trees) {
+            const glm::vec3 scale(t.size, t.size * std::exchange(t.upright, 1.0f), t.size);
             byMesh[t.species].add(
-                {glm::vec3(t.at - ground.origin), quaternionOf(glm::mat3(turnOf(t)) / t.size), glm::vec3(t.size)});
+                {glm::vec3(t.at - ground.origin), quaternionOf(glm::mat3(turnOf(t)) / t.size), scale});
+        }
         const auto meshOf = [&](size_t i) {
             return std::pair(treeMesh(p.dir, forest.species[i]), forest.species[i].name);
         };

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/numerics.h"
+#include "forest/stretch.h"
 #include "forest/volume_bake.h"
 
 namespace sward {
@@ -25,6 +26,18 @@ struct Between {
         return glm::mix(row[low], row[low + 1], share);
     }
 };
+
+// What leaves that are seen from a rise take of light that comes at another, from all around, on both sides.
+float taken(const Facing& facing, float light, float eye) {
+    constexpr int kAround = 8;  // half a turn
+    const float across = std::sqrt(std::max((1 - light * light) * (1 - eye * eye), 0.0f));
+    float sum = 0;
+    for (int k = 0; k < kAround; ++k) {
+        const float cosine = light * eye + across * std::cos(kHalfTurn * (static_cast<float>(k) + 0.5f) / kAround);
+        sum += sentTo(facing, light, eye, cosine) + passedTo(facing, light, eye, cosine);
+    }
+    return sum / kAround;
+}
 
 }  // namespace
 
@@ -48,12 +61,18 @@ glm::vec3 scatterOf(const glm::vec3& color, float translucency) {
     return glm::min(color + translucency * f32::leafThrough(color), glm::vec3(0.98f));
 }
 
-FoliageTable::FoliageTable(const Facing& facing, const glm::vec3& sun) {
+FoliageTable::FoliageTable(const Facing& baked, const glm::vec3& sun, float verticalScale)
+    : verticalScale_(verticalScale) {
+    const Facing facing = stretched(baked, verticalScale);
     const float across = glm::length(glm::vec2(sun.x, sun.z));
     if (across > 1e-6f) sunSide_ = glm::vec2(sun.x, sun.z) / across;
     for (size_t i = 0; i < kRises; ++i) {
         const float y = 2 * static_cast<float>(i) / (kRises - 1) - 1, level = std::sqrt(std::max(1 - y * y, 0.0f));
-        seen_[i] = seenFrom(facing, y);
+        seen_[i] = seenFrom(baked, y);
+        level_[i] = upright_[i] = 1;
+        if (verticalScale != 1)
+            level_[i] = taken(facing, 0, y) / taken(baked, 0, y),
+            upright_[i] = taken(facing, 1, y) / taken(baked, 1, y);
         sky_[i] = 0.5f + 0.5f * seenRise(facing, y);
         for (size_t k = 0; k < kTurns; ++k) {
             const float turn = kHalfTurn * static_cast<float>(k) / (kTurns - 1);
@@ -66,12 +85,15 @@ FoliageTable::FoliageTable(const Facing& facing, const glm::vec3& sun) {
 FoliageLook FoliageTable::from(const glm::vec3& way) const {
     const float level = glm::length(glm::vec2(way.x, way.z));
     const float cosine = level > 1e-6f ? glm::dot(glm::vec2(way.x, way.z), sunSide_) / level : 1;
-    const Between rise(0.5f + 0.5f * way.y, kRises),
+    const glm::vec3 baked(bakedWay(glm::dvec3(way), static_cast<double>(verticalScale_)));
+    const Between rise(0.5f + 0.5f * way.y, kRises), bakedRise(0.5f + 0.5f * baked.y, kRises),
         turn(std::acos(std::clamp(cosine, -1.0f, 1.0f)) / kHalfTurn, kTurns);
     const auto both = [&](const auto& table) {
         return glm::mix(turn.in(table[rise.low]), turn.in(table[rise.low + 1]), rise.share);
     };
-    return {rise.in(seen_), both(sun_), both(passed_), rise.in(sky_)};
+    // Of means of ones not all are 1 to the last bit.
+    const auto stretch = [&](const auto& table) { return verticalScale_ == 1 ? 1 : rise.in(table); };
+    return {bakedRise.in(seen_), both(sun_), both(passed_), rise.in(sky_), stretch(level_), stretch(upright_)};
 }
 
 }  // namespace sward

@@ -5,6 +5,7 @@
 
 #include "core/jobs.h"
 #include "core/numerics.h"
+#include "forest/stretch.h"
 #include "forest/volume_bake.h"
 #include "world/ground.h"
 
@@ -101,9 +102,9 @@ float TreeShade::at(const glm::dvec2& place) const {
                                        glm::mix(texelAt(x, z + 1), texelAt(x + 1, z + 1), part.x), part.y));
 }
 
-TreeShade shadeTowards(const TreeAir& air, const glm::dvec3& light) {
+TreeShade shadeTowards(const TreeAir& air, const glm::dvec3& light, double verticalScale) {
     if (air.side == 0) return {};
-    const glm::dvec3 way = raised(light);
+    const glm::dvec3 way = bakedWay(raised(light), verticalScale);
     const double half = 0.5 * air.side * air.part;
     const glm::dvec2 thrown = -glm::dvec2(way.x, way.z) * (air.height / way.y);
     TreeShade s = imageOver(glm::min(glm::dvec2(0), thrown) - half, glm::max(glm::dvec2(0), thrown) + half, air.part);
@@ -112,9 +113,9 @@ TreeShade shadeTowards(const TreeAir& air, const glm::dvec3& light) {
     return s;
 }
 
-TreeShade shadeOfSky(const TreeAir& air) {
+TreeShade shadeOfSky(const TreeAir& air, double verticalScale) {
     if (air.side == 0) return {};
-    const double reach = 0.5 * air.side * air.part + air.height;
+    const double reach = 0.5 * air.side * air.part + air.height * verticalScale;
     const double texel = kSkyCoarser * air.part;
     TreeShade s = imageOver(glm::dvec2(-reach), glm::dvec2(reach), texel);
     struct Direction {
@@ -125,7 +126,7 @@ TreeShade shadeOfSky(const TreeAir& air) {
     for (int k = 0; k < kSkyDirections; ++k) {
         // Level ground takes light by its sine: directions are spread so that each counts as much.
         const double y = std::sqrt((k + 0.5) / kSkyDirections), turn = k * 2.399963229728653, r = std::sqrt(1 - y * y);
-        const glm::dvec3 way(r * std::cos(turn), y, r * std::sin(turn));
+        const glm::dvec3 way = bakedWay({r * std::cos(turn), y, r * std::sin(turn)}, verticalScale);
         directions.push_back({way, seenAlong(air, way)});
     }
     fill(s, [&](const glm::dvec2& at) {
@@ -152,9 +153,10 @@ ShadeSum::ShadeSum(const Terrain& terrain, const glm::dvec3& origin, const glm::
     });
 }
 
-void ShadeSum::add(const StandingForest& forest, const std::vector<TreeAir>& airs) {
+void ShadeSum::add(const StandingForest& forest, const std::vector<TreeAir>& airs, double verticalScale) {
     std::vector<TreeShade> suns, skies;
-    for (const TreeAir& a : airs) suns.push_back(shadeTowards(a, sun_)), skies.push_back(shadeOfSky(a));
+    for (const TreeAir& a : airs)
+        suns.push_back(shadeTowards(a, sun_, verticalScale)), skies.push_back(shadeOfSky(a, verticalScale));
     const glm::dvec2 perHeight = glm::dvec2(sun_.x, sun_.z) / sun_.y;
     constexpr int kBands = 16;
     parallelFor(kBands, [&](size_t band) {

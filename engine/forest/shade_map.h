@@ -33,10 +33,10 @@ struct TreeShade {
     // Linear between texels; 0 beyond.
     float at(const glm::dvec2& place) const;
 };
-// Towards a light (unit, y up); it is taken to stand no lower than 6 degrees.
-TreeShade shadeTowards(const TreeAir& air, const glm::dvec3& light);
+// Towards a light (unit, y up); it is taken to stand no lower than 6 degrees. verticalScale: Forest's, of the tree.
+TreeShade shadeTowards(const TreeAir& air, const glm::dvec3& light, double verticalScale = 1);
 // Towards all of the sky: the depth that leaves as much of its light.
-TreeShade shadeOfSky(const TreeAir& air);
+TreeShade shadeOfSky(const TreeAir& air, double verticalScale = 1);
 
 // Over the whole terrain: shares of the sun's light and of the sky's that reach the ground.
 struct ShadeMap {
@@ -49,8 +49,8 @@ class ShadeSum {
   public:
     // sun: towards it, unit; its height over the horizon as for shadeTowards.
     ShadeSum(const Terrain& terrain, const glm::dvec3& origin, const glm::dvec3& sun);
-    // airs: by species.
-    void add(const StandingForest& forest, const std::vector<TreeAir>& airs);
+    // airs: by species. verticalScale: Forest's.
+    void add(const StandingForest& forest, const std::vector<TreeAir>& airs, double verticalScale = 1);
     ShadeMap map() const;
 
   private:

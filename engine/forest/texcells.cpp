@@ -8,6 +8,7 @@
 #include "core/numerics.h"
 #include "forest/shade_map.h"
 #include "forest/slicing.h"
+#include "forest/stretch.h"
 #include "forest/veil.h"
 #include "forest/volume.h"
 #include "shared/forest.h"
@@ -63,14 +64,17 @@ TreeInView lookOf(const Volume& v, const ForestHere& here, const StandingTree& t
     const float through = here.throughOf(tree.species);
     const glm::vec3& scatter = here.scatter[tree.species];
     const float faces = v.images.trees[tree.species].litFacing, litSeen = v.images.air.litSeen;
+    // What hides what is as it was baked.
+    const glm::vec3 baked(bakedWay(glm::dvec3(towards), static_cast<double>(v.verticalScale)));
     TreeInView t{};
     t.foot = static_cast<float>(-way.y);
     t.seen = look.seen, t.sun = faces * look.sun, t.passed = faces * through * look.passed;
     t.sky = look.sky, t.through = through;
     // The mean cosine to the upper half of all directions is half the rise.
-    t.sunward = std::exp(litSeen * glm::dot(towards, v.sun)), t.skyward = std::exp(0.5f * litSeen * towards.y);
+    t.sunward = std::exp(litSeen * glm::dot(baked, v.bakedSun)), t.skyward = std::exp(0.5f * litSeen * baked.y);
     t.facing = faces;
     t.red = scatter.x, t.green = scatter.y, t.blue = scatter.z;
+    t.level = look.level, t.upright = look.upright;
     return t;
 }
 
@@ -85,8 +89,7 @@ Reach feetOf(const DrawContext& ctx, const ForestHere& here, const Volume& v, co
         if (near && isMesh(here.rule, tree, glm::distance(tree.at, ctx.camera.eye))) continue;
         const double foot = tree.at.y - planeAt(p, tree.at), aside = p.slope * here.stand->tiles.circle;
         r.low = std::min(r.low, foot - aside);
-        r.high =
-            std::max(r.high, foot + aside + static_cast<double>(here.rule.species[tree.species].height * tree.size));
+        r.high = std::max(r.high, foot + aside + static_cast<double>(heightOf(tree, here.rule.species[tree.species])));
         out.back() = lookOf(v, here, tree, ctx.camera.eye);
     }
     return r;
@@ -109,7 +112,7 @@ std::vector<Choice> inView(const DrawContext& ctx, const ForestHere& here, const
         glm::dvec3 low = p.corner[0], high = p.corner[0];
         for (const glm::dvec3& c : p.corner) low = glm::min(low, c), high = glm::max(high, c);
         const double aside = p.slope * circle;
-        low.y -= aside, high.y += v.images.height + aside;
+        low.y -= aside, high.y += v.height() + aside;
         if (ctx.frustum.touches(glm::vec3(low - ctx.camera.eye), glm::vec3(high - ctx.camera.eye)))
             out.push_back({i, distance});
     }
@@ -133,7 +136,7 @@ void addSlices(TexcellsView& view, const glm::dvec3& eye, const ForestHere& here
                const ForestTriangle& t, const Prism& p, double level, const Slicing& s) {
     const int apart = static_cast<int>(level), cells = v.images.cells;
     const int whole = std::max(apart - (s.tilted ? kTiltedFiner : 0), 0);
-    const double slab = v.images.height / v.images.layers * (1 << whole);
+    const double slab = v.height() / v.images.layers * (1 << whole);
     TileInView tile{};
     for (size_t k = 0; k < 3; ++k)
         tile.corner[k] = glm::vec4(glm::vec3(p.corner[k] - eye), static_cast<float>(s.begin[k]));
@@ -163,7 +166,7 @@ void addTile(const DrawContext& ctx, TexcellsView& view, const ForestHere& here,
     const Reach reach = feetOf(ctx, here, v, t, p, c.distance < meshesEnd(here.rule) + here.stand->tiles.edge, feet);
     if (!(reach.low < reach.high)) return;
     const glm::dvec3 way = (p.centre - ctx.camera.eye) / std::max(c.distance, 1e-6);
-    const double finest = v.images.height / v.images.layers;
+    const double finest = v.height() / v.images.layers;
     const double level =
         here.rule.technique == ForestTechnique::Flat
             ? v.levels - 1
@@ -184,7 +187,8 @@ void addTile(const DrawContext& ctx, TexcellsView& view, const ForestHere& here,
 
 ForestGlobals globalsOf(const DrawContext& ctx, const Volume& v) {
     ForestGlobals g{};
-    g.height = static_cast<float>(v.images.height);
+    g.height = static_cast<float>(v.height());
+    g.verticalScale = v.verticalScale;
     g.voxel = static_cast<float>(v.images.cells * v.images.edge / v.images.side);
     g.pixel = pixelAt1m(ctx);
     g.edge = static_cast<float>(v.images.edge);
@@ -236,7 +240,7 @@ void drawShadeMap(DrawContext& ctx, TexcellsState& s, const glm::vec3& sun) {
         ShadeSum sum(*ctx.shared.ground.terrain, ctx.shared.ground.origin, glm::dvec3(sun));
         for (const auto& here : ctx.shared.forests->all)
             if (const auto v = s.volumes.find(here->entity); v != s.volumes.end())
-                sum.add(*here->stand, v->second.images.trees);
+                sum.add(*here->stand, v->second.images.trees, static_cast<double>(v->second.verticalScale));
         const ShadeMap map = sum.map();
         if (s.shade.width != map.size.x || s.shade.height != map.size.y)
             s.shade = makeTexture2D(ctx.gpu, kOwner, GL_RG8, map.size.x, map.size.y, 0);

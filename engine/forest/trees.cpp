@@ -70,6 +70,9 @@ size_t levelAt(double distance, double height, double detail) {
     return level;
 }
 
+// Factor of its mesh's reach in any direction.
+float widest(const StandingTree& t) { return t.size * std::max(t.upright, 1.0f); }
+
 // Trees of one mesh in this frame.
 struct Chosen {
     std::vector<const StandingTree*> seen, unseen;
@@ -81,8 +84,8 @@ void addGroup(DrawContext& ctx, TreesView& view, const ForestHere& here, size_t 
     const auto add = [&](const StandingTree& t) {
         const glm::dvec3 at = t.at - ctx.camera.eye;
         if (casts)
-            addCaster(ctx, m, view.rows.size(), 1, glm::vec3(at) + m.centre * t.size,
-                      (m.radius + glm::length(glm::vec2(m.centre.x, m.centre.z))) * t.size);
+            addCaster(ctx, m, view.rows.size(), 1, glm::vec3(at) + m.centre * glm::vec3(1, t.upright, 1) * t.size,
+                      (m.radius + glm::length(glm::vec2(m.centre.x, m.centre.z))) * widest(t));
         view.rows.push_back(instanceAt(at, view.sway.at(here.rule, {at.x, at.z}) * turnOf(t)));
         const size_t number = static_cast<size_t>(&t - here.stand->trees.data());
         view.places.emplace_back(t.stored, here.light ? here.around[number] : 0);
@@ -102,8 +105,8 @@ void choose(DrawContext& ctx, TreesView& view, const ForestHere& here, const Upl
         const glm::dvec3 at = t.at - ctx.camera.eye;
         const double distance = glm::length(at);
         if (!isMesh(here.rule, t, distance)) continue;
-        const float radius = (whole.radius + glm::length(whole.centre)) * t.size;
-        const double height = static_cast<double>(here.rule.species[t.species].height * t.size);
+        const float radius = (whole.radius + glm::length(whole.centre)) * widest(t);
+        const double height = static_cast<double>(here.rule.species[t.species].height * widest(t));
         Chosen& group = chosen[t.species][levelAt(distance, height, static_cast<double>(here.rule.meshDetail))];
         if (ctx.frustum.touches(glm::vec3(at) - radius, glm::vec3(at) + radius))
             group.seen.push_back(&t);
@@ -172,6 +175,7 @@ void draw(DrawContext& ctx) {
         glUniform1f(3, g.here->rule.species[g.species].translucency);
         const glm::vec3& scatter = g.here->scatter[g.species];
         glUniform3f(4, scatter.x, scatter.y, scatter.z);
+        glUniform1f(5, g.here->rule.verticalScale);
         drawMesh(ctx, *g.mesh, s.white, g.first, g.seen);
     }
 }

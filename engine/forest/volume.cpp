@@ -7,6 +7,7 @@
 #include "core/file.h"
 #include "core/log.h"
 #include "core/numerics.h"
+#include "forest/stretch.h"
 #include "mesh/facing.h"
 
 namespace sward {
@@ -54,7 +55,7 @@ void upload(Gpu& gpu, const std::string& owner, Volume& v, VolumeImages&& images
     v.light = makeTexture3D(gpu, owner, GL_RGBA8, air.side, air.side, FOREST_RISES * air.layers);
     v.images = std::move(images);
     v.images.levels.clear();
-    v.sun = glm::vec3(0);
+    v.sun = glm::vec3(0), v.stretchedSky = {};
 }
 
 // The volume that can be shown now. Where one may wait, waits for it.
@@ -111,13 +112,13 @@ double onSlope(const glm::dvec3& normal, const glm::dvec3& sun) {
 void lightSlope(Volume& v, size_t rise) {
     const ForestAir& air = v.images.air;
     const std::vector<float> others =
-        rise == FOREST_LEVEL ? std::vector<float>() : lightPastOthers(air, glm::dvec3(v.sun), kRises[rise]);
+        rise == FOREST_LEVEL ? std::vector<float>() : lightPastOthers(air, glm::dvec3(v.bakedSun), kRises[rise]);
     std::vector<uint8_t> bytes(4 * air.extinction.size());
     const auto byte = [](float x) { return static_cast<uint8_t>(std::lround(std::clamp(x, 0.0f, 1.0f) * 255)); };
     for (size_t i = 0; i < air.extinction.size(); ++i) {
         const float get = air.leavesGet(i), past = others.empty() ? v.past.past[i] : v.past.pastOwn[i] * others[i];
         bytes[4 * i] = byte(get * past), bytes[4 * i + 3] = byte(get * v.past.pastOwn[i]);
-        bytes[4 * i + 1] = byte(get * v.images.sky[0][i]), bytes[4 * i + 2] = byte(get * v.images.sky[1][i]);
+        bytes[4 * i + 1] = byte(get * v.sky()[0][i]), bytes[4 * i + 2] = byte(get * v.sky()[1][i]);
     }
     glTextureSubImage3D(v.light.id(), 0, 0, 0, static_cast<GLint>(rise) * air.layers, air.side, air.side, air.layers,
                         GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
@@ -127,6 +128,8 @@ void lightSlope(Volume& v, size_t rise) {
 }  // namespace
 
 void ensureVolume(DrawContext& ctx, const std::string& owner, Volume& v, const ForestHere& here) {
+    if (v.verticalScale != here.rule.verticalScale)
+        v.verticalScale = here.rule.verticalScale, v.sun = glm::vec3(0), v.stretchedSky = {};
     if (v.grown != here.grown || v.voxelOf != here.rule.voxel || v.storageOf != here.rule.storage) {
         v.grown = here.grown, v.voxelOf = here.rule.voxel, v.storageOf = here.rule.storage;
         v.spec = {here.stand->tiles, std::make_shared<const std::vector<Mesh>>(here.meshes),
@@ -151,16 +154,18 @@ void ensureVolume(DrawContext& ctx, const std::string& owner, Volume& v, const F
 
 bool lightVolume(Volume& v, const glm::vec3& sun) {
     if (v.sun == sun) return false;
-    v.sun = sun;
+    const double scale = static_cast<double>(v.verticalScale);
     const ForestAir& air = v.images.air;
+    v.sun = sun, v.bakedSun = glm::vec3(bakedWay(glm::dvec3(sun), scale));
+    if (scale != 1 && v.stretchedSky[0].empty()) v.stretchedSky = skyThrough(air, scale);
     v.foliage.clear();
-    for (const TreeAir& tree : v.images.trees) v.foliage.emplace_back(tree.facing, sun);
-    v.past = lightThrough(air, glm::dvec3(sun));
+    for (const TreeAir& tree : v.images.trees) v.foliage.emplace_back(tree.facing, sun, v.verticalScale);
+    v.past = lightThrough(air, glm::dvec3(v.bakedSun));
     const auto lowest = [&](const std::vector<float>& shares) {
         const auto end = shares.begin() + static_cast<ptrdiff_t>(shares.size() / static_cast<size_t>(air.layers));
         return std::accumulate(shares.begin(), end, 0.0f) / static_cast<float>(end - shares.begin());
     };
-    v.floorSun = lowest(v.past.past), v.floorSky = lowest(v.images.sky[0]);
+    v.floorSun = lowest(v.past.past), v.floorSky = lowest(v.sky()[0]);
     v.lit.fill(false);
     lightSlope(v, FOREST_LEVEL);
     return true;
@@ -173,7 +178,7 @@ void lightSlopes(Volume& v) {
 
 void fillCanopies(Volume& v, const StandingForest& f, const glm::dvec3& sun) {
     const Stands stands(f);
-    const double across = std::hypot(sun.x, sun.z), height = v.images.height;
+    const double across = std::hypot(sun.x, sun.z), height = v.height();
     const double reach = std::min(height * across / std::max(sun.y, 0.05), 4 * f.tiles.edge);
     const glm::dvec2 way = across > 1e-9 ? glm::dvec2(sun.x, sun.z) / across : glm::dvec2(0);
     parallelFor(v.prisms.size(), [&](size_t i) {

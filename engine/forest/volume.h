@@ -14,17 +14,23 @@ struct Volume {
     uint64_t grown = 0, stood = 0;  // as ForestHere
     float voxelOf = 0;              // Forest::voxel
     VolumeStorage storageOf{};      // Forest::storage
+    float verticalScale = 1;        // Forest::verticalScale
     Job<VolumeImages> bake;
     VolumeImages images;  // its levels are dropped once they are a texture
     int levels = 0;       // of the pyramid
     Texture slabs, slots, light;
-    glm::vec3 sun{0};                      // that the light is of
-    LightShares past;                      // of it, on level ground
-    std::array<bool, FOREST_RISES> lit{};  // for which the texture has it
-    float floorSun = 1, floorSky = 1;      // shares of it, and of the sky's, that reach the lowest parts
-    std::vector<FoliageTable> foliage;     // under it, by species
-    std::vector<Prism> prisms;             // of StandingForest::triangles
-    Buffer globals;                        // of its light, for meshes
+    glm::vec3 sun{0};                                // that the light is of
+    glm::vec3 bakedSun{0};                           // the way to it through what is baked (forest/stretch.h)
+    LightShares past;                                // of it, on level ground
+    std::array<bool, FOREST_RISES> lit{};            // for which the texture has it
+    float floorSun = 1, floorSky = 1;                // shares of it, and of the sky's, that reach the lowest parts
+    std::vector<FoliageTable> foliage;               // under it, by species
+    std::vector<Prism> prisms;                       // of StandingForest::triangles
+    Buffer globals;                                  // of its light, for meshes
+    std::array<std::vector<float>, 2> stretchedSky;  // skyThrough at another verticalScale than 1; empty: not made
+    // Metres that all slabs reach, as they stand.
+    double height() const { return images.height * static_cast<double>(verticalScale); }
+    const std::array<std::vector<float>, 2>& sky() const { return stretchedSky[0].empty() ? images.sky : stretchedSky; }
 };
 
 // Has the textures show what the forest is, or a draft of it. owner: charged for their bytes.

@@ -7,6 +7,7 @@
 
 #include "core/numerics.h"
 #include "forest/leaf_depth.h"
+#include "forest/stretch.h"
 
 namespace sward {
 namespace {
@@ -326,15 +327,15 @@ std::vector<float> lightPastOthers(const ForestAir& air, const glm::dvec3& towar
     return out;
 }
 
-std::array<std::vector<float>, 2> skyThrough(const ForestAir& air) {
+std::array<std::vector<float>, 2> skyThrough(const ForestAir& air, double verticalScale) {
     constexpr int kDirections = 24;  // on each half
     std::array<std::vector<float>, 2> out;
     for (size_t half = 0; half < 2; ++half) {
         out[half].assign(air.extinction.size(), 0);
         for (int k = 0; k < kDirections; ++k) {
             const double y = (k + 0.5) / kDirections, turn = k * 2.399963229728653, r = std::sqrt(1 - y * y);
-            const std::vector<float> seen =
-                lightThrough(air, {r * std::cos(turn), half == 0 ? y : -y, r * std::sin(turn)}).past;
+            const glm::dvec3 way(r * std::cos(turn), half == 0 ? y : -y, r * std::sin(turn));
+            const std::vector<float> seen = lightThrough(air, bakedWay(way, verticalScale)).past;
             for (size_t i = 0; i < seen.size(); ++i) out[half][i] += seen[i] / kDirections;
         }
     }

@@ -84,6 +84,7 @@ LightShares lightThrough(const ForestAir& air, const glm::dvec3& towards);
 // though by a way as long. At 1: what is past divided by what is past the own tree.
 std::vector<float> lightPastOthers(const ForestAir& air, const glm::dvec3& towards, double steeper);
 // Shares of the sky's light, and of the ground's, that reach each part: means over directions above and below.
-std::array<std::vector<float>, 2> skyThrough(const ForestAir& air);
+// verticalScale: Forest's, by which the air is stretched.
+std::array<std::vector<float>, 2> skyThrough(const ForestAir& air, double verticalScale = 1);
 
 }  // namespace sward

@@ -5,6 +5,7 @@
 #include "core/numerics.h"
 #include "mesh/mesh_io.h"
 #include "scene/tiling.h"
+#include "world/forest_stand.h"
 #include "world/placement.h"
 #include "world/wind.h"
 
@@ -112,11 +113,14 @@ Status Solids::addScattered(const Project& p, double time) {
         std::vector<TexelGrid>& images = scatteredImages_.emplace_back();
         for (const MeshImage& i : mesh.images) images.push_back(texelGridOf({i.width, i.height, i.rgba}));
     }
-    const bool leans = windOf(p) != nullptr;
+    // Trees that lean, or stand higher than their meshes, are not turned alone.
+    const auto forests = forestsOf(p);
+    const bool skewed = windOf(p) != nullptr || std::any_of(forests.begin(), forests.end(),
+                                                            [](const auto& f) { return f.second->verticalScale != 1; });
     for (size_t i = 0; i < scattered_.casts.size(); ++i) {
         const TriangleInstances::Placed& at = scattered_.instances.placed[i];
         const bool isTree = i >= scattered_.firstTree;
-        const glm::dmat3 turn(at.turn), normals = isTree && leans ? glm::transpose(glm::inverse(turn)) : turn;
+        const glm::dmat3 turn(at.turn), normals = isTree && skewed ? glm::transpose(glm::inverse(turn)) : turn;
         objects_.push_back({&scattered_.meshes[at.mesh], glm::dvec3(at.at), turn, normals, scattered_.casts[i], true,
                             isTree, isTree ? &scattered_.through[at.mesh] : nullptr});
         imagesOf_.push_back(&scatteredImages_[at.mesh]);

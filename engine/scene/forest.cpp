@@ -59,6 +59,8 @@ constexpr FieldRow kFields[] = {
     choice(
         "variety", &Forest::variety, offsetof(Forest, variety), kTileVarieties,
         "how many different tiles there are: eight as published, or 32, which repeat less and take 4 times the memory"),
+    real("verticalScale", offsetof(Forest, verticalScale), "", {0.25, 4, 0.5, 2},
+         "factor of all trees' heights alone; volumes are stretched, not baked again"),
     whole("seed", offsetof(Forest, seed), "", {0, 2147483647, 0, 1000}, "another number: other places"),
     under("Distances",
           choice("technique", &Forest::technique, offsetof(Forest, technique), kForestTechniques,

@@ -56,6 +56,9 @@ struct Forest {
     float tileSize = 16;         // metres: edge of a tile
     TileVariety variety = TileVariety::ThirtyTwo;
     std::vector<PlacedTree> placed;  // beside those that grow
+    // Factor of all heights alone, of meshes and of the baked volumes, which stay as they are: s_z of the paper's
+    // section 5. Crowns keep their width, trunks theirs.
+    float verticalScale = 1;  // 0.25 to 4
     ForestTechnique technique = ForestTechnique::Texcells;
     float meshesTo = 60;   // metres: trees are drawn as meshes up to here, as volumes beyond; inf: as meshes
     float meshDetail = 1;  // factor of the distances from which meshes have fewer and larger leaves

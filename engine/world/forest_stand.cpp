@@ -92,7 +92,7 @@ void shift(CellTrees& cell, int32_t by) {
 uint64_t hashOf(const std::vector<StandingTree>& trees) {
     Hasher h;
     const auto add = [&](const auto& v) { h.add(&v, sizeof(v)); };
-    for (const StandingTree& t : trees) add(t.at), add(t.species), add(t.size), add(t.headingDeg);
+    for (const StandingTree& t : trees) add(t.at), add(t.species), add(t.size), add(t.headingDeg), add(t.upright);
     return h.value();
 }
 
@@ -169,6 +169,7 @@ StandingForest standingForest(const Forest& forest, const Ground& ground) {
                     out.triangles.push_back(tri);
             }
     placeByHand(out, forest, t);
+    for (StandingTree& tree : out.trees) tree.upright = forest.verticalScale;
     out.hash = hashOf(out.trees);
     return out;
 }
@@ -193,8 +194,11 @@ Result<Mesh> treeMesh(const std::filesystem::path& dir, const TreeSpecies& s) {
 }
 
 glm::dmat3 turnOf(const StandingTree& t) {
-    return rotationOf({0, static_cast<double>(t.headingDeg), 0}) * static_cast<double>(t.size);
+    glm::dmat3 m = rotationOf({0, static_cast<double>(t.headingDeg), 0}) * static_cast<double>(t.size);
+    m[1] *= static_cast<double>(t.upright);
+    return m;
 }
+float heightOf(const StandingTree& t, const TreeSpecies& s) { return s.height * t.size * t.upright; }
 
 std::vector<std::pair<std::string, const Forest*>> forestsOf(const Project& p) {
     std::vector<std::pair<std::string, const Forest*>> out;
@@ -219,7 +223,7 @@ bool sameForest(const Forest& a, const Forest& b) {
         return x.species == y.species && x.at == y.at && x.size == y.size && x.headingDeg == y.headingDeg;
     };
     return sameTiles(a, b) && a.density.map.sameTiles(b.density.map) && a.densityTiling == b.densityTiling &&
-           a.slopeDeg == b.slopeDeg &&
+           a.slopeDeg == b.slopeDeg && a.verticalScale == b.verticalScale &&
            std::equal(a.placed.begin(), a.placed.end(), b.placed.begin(), b.placed.end(), samePlace);
 }
 

@@ -25,6 +25,7 @@ struct StandingTree {
     glm::vec2 stored{0};   // lattice coordinates of its foot in the cells that repeat
     float chance = 0;      // in [0, 1[, its own: who draws it near the distance where meshes end
     bool byHand = false;   // it is in no triangle, and a mesh at any distance
+    float upright = 1;     // factor of its height alone: Forest::verticalScale
 };
 // Where a triangle's list has the trees within it and those across its edges, by family.
 inline constexpr int kTreeSlots = kMostInside + 3 * kMostOnEdge;
@@ -56,8 +57,10 @@ double volumesBegin(const Forest& forest);
 // The mesh of a species at its full height, standing on the origin: grown, or from its file in `dir`, the project's
 // folder. Errors: a file that cannot be read.
 Result<Mesh> treeMesh(const std::filesystem::path& dir, const TreeSpecies& species);
-// A tree's rotation and size, of its species' mesh.
+// A tree's rotation and size, of its species' mesh, and how much higher it stands than that.
 glm::dmat3 turnOf(const StandingTree& tree);
+// Its height in metres, of its species'.
+float heightOf(const StandingTree& tree, const TreeSpecies& species);
 // What wind does to that: what stands leans by so much (m per m along x and z), and its foot stays.
 glm::dmat3 leaning(const glm::dvec2& lean);
 // Metres, of a tree at its full height, at its foot; of one from a file it is taken to be a fiftieth of the height.

@@ -52,7 +52,9 @@ float pastLeaves(vec3 towards, float reach, vec2 uv, float at, uint slot) {
         bool own = texelFetch(slots, ivec2(fract(there.xy) * vec2(side)), 0).r == slot;
         thick -= logOneMinus(min(opacity, 0.999)) * (own ? 1.0 : canopy.y);
     }
-    return exp(-thick * step * fine / forest.height);
+    // In slabs as they were baked.
+    float stretch = length(towards * vec3(forest.verticalScale, 1.0, forest.verticalScale)) / length(towards);
+    return exp(-thick * stretch * step * fine / forest.height);
 }
 // Light of lamps that leaves send back, and that shines through them, as the sun's (main).
 void addLamps(TreeInView tree, vec2 uv, float at, uint slot, inout vec3 light, inout vec3 passed) {
@@ -63,6 +65,7 @@ void addLamps(TreeInView tree, vec2 uv, float at, uint slot, inout vec3 light, i
         float visible = lampVisible(i, position, vec3(0.0)), cosine = dot(toEye, l.direction);
         float reach = lamps.lights[i].isPoint > 0.0 ? length(lamps.lights[i].place - position) : 1e6;
         if (visible > 0.0) visible *= pastLeaves(l.direction, reach, uv, at, slot);
+        visible *= tree.level + (tree.upright - tree.level) * l.direction.y * l.direction.y;
         light += l.light * (visible * foliagePhase(cosine));
         passed += l.light * (visible * tree.through * foliagePhase(-cosine));
     }

@@ -64,7 +64,9 @@ void main() {
     facing = normalize(cross(low[2] - low[0], low[1] - low[0]));
     float distance = length(position);
     vec3 way = position / distance;
-    path = t.path * slantFactor(facing.xzy, way.xzy);
+    // The way that leaves were baked along: their depth is as there (forest/stretch.h).
+    float stretch = length(position * vec3(forest.verticalScale, 1.0, forest.verticalScale)) / distance;
+    path = t.path * slantFactor(facing.xzy, way.xzy) * stretch;
     haze = vec4(hazeColor(position), hazeShare(distance));
     canopy = t.canopy;
     sunRise = t.rise;

@@ -7,6 +7,7 @@
 #include "shared/forest.h"
 
 layout(std140, binding = UBO_FOREST) uniform ForestBlock { ForestGlobals forest; };
+layout(location = 5) uniform float verticalScale;  // of the tree, against its mesh
 layout(location = 0) in vec3 meshPosition;
 layout(location = 1) in vec3 meshNormal;
 layout(location = 2) in vec2 meshUv;
@@ -24,8 +25,10 @@ flat out float around;
 void main() {
     vec4 p = vec4(meshPosition, 1.0);
     position = vec3(dot(row0, p), dot(row1, p), dot(row2, p));
-    normal = vec3(dot(row0.xyz, meshNormal), dot(row1.xyz, meshNormal), dot(row2.xyz, meshNormal));
-    // One that leans is no longer turned alone: normals follow the planes, as the inverse's columns do.
+    // Normals follow the planes, as the inverse's columns do: what the rows stretch twice too much is taken out before.
+    vec3 upright = vec3(meshNormal.x, meshNormal.y / (verticalScale * verticalScale), meshNormal.z);
+    normal = vec3(dot(row0.xyz, upright), dot(row1.xyz, upright), dot(row2.xyz, upright));
+    // Of one that leans they are those columns.
     if (WIND)
         normal = vec3(dot(cross(row1.xyz, row2.xyz), meshNormal), dot(cross(row2.xyz, row0.xyz), meshNormal),
                       dot(cross(row0.xyz, row1.xyz), meshNormal));

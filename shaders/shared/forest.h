@@ -14,14 +14,15 @@ namespace sward {
 #endif
 
 struct STD140 ForestGlobals {
-    float height;  // metres that all slabs reach
-    float voxel;   // metres of a texel of the finest image
-    float slabs;   // of the finest level; the next has half as many, and its images follow
-    float sway;    // lean (m per m) of a full gust of wind
-    float pixel;   // metres that a pixel covers at a distance of 1 m
-    float edge;    // metres of the lattice's edges
-    float cells;   // of the lattice along each side of what repeats
-    float floor;   // share of the light from above that a full forest leaves of it on the ground
+    float height;         // metres that all slabs reach
+    float voxel;          // metres of a texel of the finest image
+    float slabs;          // of the finest level; the next has half as many, and its images follow
+    float sway;           // lean (m per m) of a full gust of wind
+    float pixel;          // metres that a pixel covers at a distance of 1 m
+    float edge;           // metres of the lattice's edges
+    float cells;          // of the lattice along each side of what repeats
+    float floor;          // share of the light from above that a full forest leaves of it on the ground
+    float verticalScale;  // how many times as high as baked it stands; `height` has it
 };
 
 // A tree that is drawn as a volume, in a view: one for each slot of each tile.
@@ -38,6 +39,8 @@ struct TreeInView {
     float red;      // share of the light on them that they scatter, to both sides, by colour
     float green;
     float blue;
+    float level;    // factor of a lamp's light that comes level, by how leaves face once they are stretched
+    float upright;  // likewise, from straight above or below
 };
 
 // A triangle of the lattice in a view: corners of its ground relative to the eye, in the order of the tile's.

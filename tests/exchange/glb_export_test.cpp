@@ -250,7 +250,8 @@ TEST(GlbExport, TreesOfAForestAreInstances) {
     Project p = meadow(dir.path);
     const TreeSpecies spruce{.height = 1, .leaves = 30},
         oak{.name = "oak", .kind = TreeKind::Broadleaf, .height = 1, .leaves = 30};
-    const Forest rule{.species = {spruce, oak}, .perHectare = 15000, .distance = 0.4f, .tileSize = 4};
+    const Forest rule{
+        .species = {spruce, oak}, .perHectare = 15000, .distance = 0.4f, .tileSize = 4, .verticalScale = 1.5f};
     put(p, "trees", rule);
     const Glb glb = encoded(p);
     const auto there = standingForest(rule, findGround(p)).trees;
@@ -260,6 +261,8 @@ TEST(GlbExport, TreesOfAForestAreInstances) {
     const auto first = std::find_if(there.begin(), there.end(), [](const StandingTree& t) { return t.species == 0; });
     const auto at = values<glm::vec3>(m, attributesOf(*node(m, "trees"))->Get("TRANSLATION").GetNumberAsInt());
     EXPECT_LT(glm::distance(placeOf(*node(m, "trees")) + glm::dvec3(at[0]), first->at), 1e-5);
+    const auto scale = values<glm::vec3>(m, attributesOf(*node(m, "trees"))->Get("SCALE").GetNumberAsInt());
+    EXPECT_EQ(scale[0], glm::vec3(first->size, 1.5f * first->size, first->size));
 }
 
 TEST(GlbExport, AnEmptySceneAndOneWithoutGrassAreSound) {

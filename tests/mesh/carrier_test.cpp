@@ -10,7 +10,7 @@
 namespace sward {
 namespace {
 
-Mesh made(const Solid& solid) { return makeMesh({&solid, 1}); }
+Mesh meshOfSolid(const Solid& solid) { return makeMesh({&solid, 1}); }
 Mesh triangle(std::array<glm::vec3, 3> at, std::array<glm::vec2, 3> uv) {
     Mesh m;
     const glm::vec3 n = glm::normalize(glm::cross(at[1] - at[0], at[2] - at[0]));
@@ -42,7 +42,7 @@ TEST(Carrier, FramesAreSquareForEveryNormal) {
 
 TEST(Carrier, ABallBendsAsItsRadiusSaysInEveryDirection) {
     const float radius = 0.5f;
-    const MeshCarrier c = carrierOf(made({.kind = SolidKind::Ball, .size = glm::vec3(radius), .unwrap = true}));
+    const MeshCarrier c = carrierOf(meshOfSolid({.kind = SolidKind::Ball, .size = glm::vec3(radius), .unwrap = true}));
     EXPECT_NEAR(c.area, 4 * 3.14159265 * 0.25, 0.02 * 3.14);
     EXPECT_EQ(c.unmapped + c.mirrored, 0u);
     // A mean over four edges of 7.5 degrees is taken over surroundings that turn away, and so is 3% less than what it
@@ -59,7 +59,7 @@ TEST(Carrier, ABallBendsAsItsRadiusSaysInEveryDirection) {
 }
 
 TEST(Carrier, ABoxIsFlatAndEveryEdgeHasAWallOnBothSides) {
-    const MeshCarrier c = carrierOf(made({.size = {1, 2, 3}, .unwrap = true}));
+    const MeshCarrier c = carrierOf(meshOfSolid({.size = {1, 2, 3}, .unwrap = true}));
     EXPECT_NEAR(c.area, 22, 1e-4);
     for (const CarrierVertex& v : c.vertices) EXPECT_LT(glm::length(v.bend), 1e-5);
     EXPECT_EQ(c.surface, 36u);
@@ -99,7 +99,7 @@ TEST(Carrier, DirectionsFollowTextureCoordinatesAndMirroredOnesAreSplit) {
 }
 
 TEST(Carrier, AChartReachesAsFarAsItsTextureCoordinatesHangTogether) {
-    const MeshCarrier c = carrierOf(made({.kind = SolidKind::Ball, .unwrap = true}));
+    const MeshCarrier c = carrierOf(meshOfSolid({.kind = SolidKind::Ball, .unwrap = true}));
     for (const CarrierVertex& v : c.vertices) {
         const glm::vec2 chart = glm::floor(v.uv * 3.0f);
         EXPECT_NEAR(v.chart.x, (chart.x + 0.02f) / 3, 1e-5);
@@ -111,7 +111,7 @@ TEST(Carrier, AChartReachesAsFarAsItsTextureCoordinatesHangTogether) {
 
 TEST(Carrier, FindsTheNearestOfTheSurfaceFromAnywhere) {
     const MeshCarrier c =
-        carrierOf(made({.kind = SolidKind::Ball, .size = {0.7f, 0.4f, 0.5f}, .rough = 0.3f, .unwrap = true}));
+        carrierOf(meshOfSolid({.kind = SolidKind::Ball, .size = {0.7f, 0.4f, 0.5f}, .rough = 0.3f, .unwrap = true}));
     ASSERT_GT(c.boxes.size(), 4u);
     std::mt19937 random(11);
     std::uniform_real_distribution<float> unit(-1, 1);
@@ -137,10 +137,10 @@ TEST(Carrier, FindsTheNearestOfTheSurfaceFromAnywhere) {
 }
 
 TEST(Carrier, PartsGoOnOverSeamsAndEndAtEdges) {
-    const MeshCarrier ball = carrierOf(made({.kind = SolidKind::Ball, .size = glm::vec3(0.5f), .unwrap = true}));
+    const MeshCarrier ball = carrierOf(meshOfSolid({.kind = SolidKind::Ball, .size = glm::vec3(0.5f), .unwrap = true}));
     EXPECT_EQ(ball.parts, 1u) << "six charts, one surface";
     for (const CarrierVertex& v : ball.vertices) ASSERT_EQ(v.part, 1) << "without an edge";
-    const MeshCarrier box = carrierOf(made({.size = glm::vec3(1), .unwrap = true}));
+    const MeshCarrier box = carrierOf(meshOfSolid({.size = glm::vec3(1), .unwrap = true}));
     EXPECT_EQ(box.parts, 6u);
     for (const CarrierVertex& v : box.vertices) ASSERT_LT(v.part, 0) << "each face ends at its edges";
 }

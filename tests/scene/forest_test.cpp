@@ -36,6 +36,19 @@ TEST(Forest, RangesThatRunBackwardsAreTurned) {
     EXPECT_EQ(f.species[0].size, glm::dvec2(0.5, 1.4));
 }
 
+TEST(Forest, AVerticalScaleIsAFieldThatRefusesWhatItCannotBe) {
+    Project p = lawn();
+    put<Forest>(p, "trees");
+    const auto field = findField(p, tables().components, "trees.Forest.verticalScale");
+    ASSERT_TRUE(field) << field.error().text();
+    EXPECT_EQ(fieldText(*field), "1");
+    for (const char* bad : {"0", "-1", "0.2", "4.1", "inf", "nan", "high"})
+        EXPECT_FALSE(setFieldText(*field, bad)) << bad;
+    EXPECT_EQ(fieldText(*field), "1") << "what is refused changes nothing";
+    for (const char* good : {"0.25", "2", "4"}) EXPECT_TRUE(setFieldText(*field, good)) << good;
+    EXPECT_EQ(p.registry.get<Forest>(findEntity(p, "trees"))->verticalScale, 4);
+}
+
 TEST(Forest, CheckSaysWhatStandsNowhereAndWhatIsTooMuch) {
     Project p = lawn();
     const auto faults = [&](const Forest& f) {

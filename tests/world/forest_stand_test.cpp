@@ -109,6 +109,30 @@ TEST(ForestStand, AnEditMovesNothingFarAway) {
         if (t.at.x > 60 || t.at.z > 50) EXPECT_TRUE(left.contains({t.at.x, t.at.z}));
 }
 
+// Its volumes are those that were baked, and as many trees stand, each where it stood.
+TEST(ForestStand, AVerticalScaleMakesTheSameTreesHigherAndNoWider) {
+    Wood w;
+    w.rule.placed = {{.at = {50, 60}, .size = 1.5f, .headingDeg = 30}};
+    const Forest before = w.rule;
+    const StandingForest once = w.all();
+    w.rule.verticalScale = 2;
+    const StandingForest twice = w.all();
+    EXPECT_TRUE(sameTiles(before, w.rule)) << "or they would be baked again";
+    EXPECT_FALSE(sameForest(before, w.rule));
+    EXPECT_NE(once.hash, twice.hash);
+    ASSERT_EQ(once.trees.size(), twice.trees.size());
+    ASSERT_EQ(once.triangles.size(), twice.triangles.size());
+    for (size_t i = 0; i < once.trees.size(); ++i) {
+        EXPECT_EQ(once.trees[i].at, twice.trees[i].at);
+        const glm::dmat3 low = turnOf(once.trees[i]), high = turnOf(twice.trees[i]);
+        EXPECT_EQ(high[0], low[0]);
+        EXPECT_EQ(high[1], 2.0 * low[1]);
+        EXPECT_EQ(high[2], low[2]);
+        const TreeSpecies& s = w.rule.species[0];
+        EXPECT_EQ(heightOf(twice.trees[i], s), 2 * heightOf(once.trees[i], s));
+    }
+}
+
 TEST(ForestStand, EachTreeIsAMeshOrAVolume) {
     Forest f;
     f.meshesTo = 50;

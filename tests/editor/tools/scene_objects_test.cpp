@@ -93,6 +93,36 @@ TEST_F(Objects, ATreeChoosesItsForestAndSaysWhichItIs) {
     EXPECT_EQ(hit(from, {-1, 0, 0}), "");
 }
 
+TEST_F(Objects, TreesAreMetAsHighAsTheirForestsVerticalScaleHasThem) {
+    Terrain t;
+    t.size = {60, 60};
+    p.registry.add<Terrain>(*addEntity(p, "ground"), t);
+    Forest rule;
+    rule.species = {TreeSpecies{.name = "oak", .kind = TreeKind::Broadleaf, .height = 9, .leaves = 200}};
+    rule.perHectare = 0;
+    rule.placed = {{.at = {30, 30}}};
+    const Entity e = *addEntity(p, "wood");
+    p.registry.add<Forest>(e, rule);
+    // Level rays from one side, as high as each is asked for: how high the highest that meets the tree is.
+    const auto top = [&](float scale) {
+        p.registry.get<Forest>(e)->verticalScale = scale;
+        ++revision;
+        const glm::dvec3 foot = standingForest(*p.registry.get<Forest>(e), findGround(p)).trees[0].at;
+        double highest = 0;
+        for (double up = 0.05; up < 40; up += 0.05)
+            for (double aside = -3; aside <= 3; aside += 0.25)
+                if (!hit(foot + glm::dvec3(20, up, aside), {-1, 0, 0}).empty()) highest = up;
+        return highest;
+    };
+    const double once = top(1);
+    EXPECT_NEAR(once, 9, 1);
+    EXPECT_NEAR(top(2), 2 * once, 0.6);
+    EXPECT_NEAR(top(0.5f), 0.5 * once, 0.3);
+    const auto met = objects.closest(p, revision, {50, 0.3, 30}, {-1, 0, 0});
+    ASSERT_TRUE(met);
+    EXPECT_NE(met->which.find("4.5 m high"), std::string::npos) << met->which;
+}
+
 TEST_F(Objects, FilesAreReadAheadOneByOne) {
     const Solid box{SolidKind::Box, glm::vec3(1), glm::vec3(0)};
     test::writeText(dir / "box.glb", *encodeGlb(makeMesh({&box, 1})));
