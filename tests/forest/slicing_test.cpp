@@ -16,7 +16,7 @@ Prism level() {
     return p;
 }
 constexpr Reach kReach{0, 12};
-glm::dvec3 seenFrom(double degrees) {
+glm::dvec3 towardsEye(double degrees) {
     const double a = degrees * std::numbers::pi / 180;
     return {std::cos(a), -std::sin(a), 0};
 }
@@ -24,7 +24,7 @@ glm::dvec3 seenFrom(double degrees) {
 TEST(Slicing, SharesOfWaysAddUpAndMoveEvenly) {
     SliceShares before{};
     for (double degrees = -90; degrees <= 90; degrees += 0.25) {
-        const SliceShares s = sliceShares(24, {0, 1, 0}, seenFrom(degrees));
+        const SliceShares s = sliceShares(24, {0, 1, 0}, towardsEye(degrees));
         EXPECT_NEAR(s.regular + s.fromAbove + s.fromBelow, 1, 1e-12);
         if (degrees > -90) {
             EXPECT_LT(std::abs(s.regular - before.regular), 0.06) << degrees;
@@ -32,15 +32,15 @@ TEST(Slicing, SharesOfWaysAddUpAndMoveEvenly) {
         }
         before = s;
     }
-    EXPECT_EQ(sliceShares(24, {0, 1, 0}, seenFrom(90)).regular, 1);
-    EXPECT_EQ(sliceShares(24, {0, 1, 0}, seenFrom(10)).fromAbove, 1);
-    EXPECT_NEAR(sliceShares(24, {0, 1, 0}, seenFrom(0)).fromBelow, 0.5, 1e-9) << "both, where the eye looks level";
-    EXPECT_EQ(sliceShares(24, {0, 1, 0}, seenFrom(-10)).fromBelow, 1);
+    EXPECT_EQ(sliceShares(24, {0, 1, 0}, towardsEye(90)).regular, 1);
+    EXPECT_EQ(sliceShares(24, {0, 1, 0}, towardsEye(10)).fromAbove, 1);
+    EXPECT_NEAR(sliceShares(24, {0, 1, 0}, towardsEye(0)).fromBelow, 0.5, 1e-9) << "both, where the eye looks level";
+    EXPECT_EQ(sliceShares(24, {0, 1, 0}, towardsEye(-10)).fromBelow, 1);
 }
 
 TEST(Slicing, SilhouetteSlicesAreFiniteEverywhereAndLieWithinTheSlant) {
     for (double degrees = -90; degrees <= 90; degrees += 0.5) {
-        const Slicing s = tiltedSlices(level(), kReach, seenFrom(degrees), 2, 0.5);
+        const Slicing s = tiltedSlices(level(), kReach, towardsEye(degrees), 2, 0.5);
         EXPECT_GE(s.count, 2);
         EXPECT_LE(s.count, kMostSlices);
         for (const double b : s.begin) EXPECT_TRUE(b >= -24 - 1e-9 && b <= 1e-9) << degrees;
@@ -50,7 +50,7 @@ TEST(Slicing, SilhouetteSlicesAreFiniteEverywhereAndLieWithinTheSlant) {
 
 TEST(Slicing, AtTheSwitchingAngleSilhouetteSlicesAreSomeTimesAsMany) {
     const Slicing regular = regularSlices(level(), kReach, {-100, 50, 0}, 0.5),
-                  silhouette = tiltedSlices(level(), kReach, seenFrom(24), 2, 0.5);
+                  silhouette = tiltedSlices(level(), kReach, towardsEye(24), 2, 0.5);
     std::printf("slices of a cell at 24 degrees: regular %d, silhouette %d\n", regular.count, silhouette.count);
     EXPECT_EQ(regular.count, 24);
     EXPECT_GT(silhouette.count, regular.count);

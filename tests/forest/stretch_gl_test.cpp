@@ -12,8 +12,8 @@ namespace {
 
 constexpr size_t kWidth = 160, kHeight = 120;
 
-Forest& forestIn(Project& p) { return *p.registry.get<Forest>(findEntity(p, "trees")); }
-Project wood(TreeKind kind, float meshesTo, float verticalScale, float perHectare = 400) {
+Forest& treesOf(Project& p) { return *p.registry.get<Forest>(findEntity(p, "trees")); }
+Project stretchedWood(TreeKind kind, float meshesTo, float verticalScale, float perHectare = 400) {
     Project p = lawn();
     removeEntity(p, "grass");
     Terrain& t = *p.registry.get<Terrain>(findEntity(p, "ground"));
@@ -27,18 +27,18 @@ Project wood(TreeKind kind, float meshesTo, float verticalScale, float perHectar
                  .meshesTo = meshesTo});
     return p;
 }
-const ViewCamera kAir{{80, 90, 210}, {80, 0, 80}, 40, 0};
+const ViewCamera kFromTheAir{{80, 90, 210}, {80, 0, 80}, 40, 0};
 // Its horizon lies in the picture's middle.
-const ViewCamera kSide{{80, 7, 260}, {80, 7, 80}, 30, 0};
+const ViewCamera kFromTheSide{{80, 7, 260}, {80, 7, 80}, 30, 0};
 
-std::vector<float> drawn(const Project& p, const ViewCamera& c, double time = 0) {
+std::vector<float> pictureAt(const Project& p, const ViewCamera& c, double time = 0) {
     Renderer renderer(gpu(), tables());
     ViewSettings s = small();
     s.time = time;
     EXPECT_TRUE(renderer.draw(p, c, s));
     return renderer.readLinear();
 }
-std::vector<float> traced(const Project& p, const ViewCamera& c, double time = 0) {
+std::vector<float> truthOf(const Project& p, const ViewCamera& c, double time = 0) {
     JobControl control;
     const auto scene = ReferenceScene::make(p, tables(), time, control);
     EXPECT_TRUE(scene) << scene.error().text();
@@ -47,7 +47,7 @@ std::vector<float> traced(const Project& p, const ViewCamera& c, double time = 0
     return scene->trace(c, settings, control)->color;
 }
 // Mean of a picture's lower middle, where trees are.
-glm::dvec3 meanOf(const std::vector<float>& pixels) {
+glm::dvec3 meanLight(const std::vector<float>& pixels) {
     glm::dvec3 sum(0);
     for (size_t y = 50; y < 90; ++y)
         for (size_t x = 40; x < 120; ++x)
@@ -68,14 +68,14 @@ const std::pair<const char*, TreeKind> kKinds[] = {{"conifers", TreeKind::Conife
 TEST(StretchedForest, IsAsBrightAsTheTruthByVolumesAndByMeshes) {
     NoGlErrors errors;
     for (const auto& [kind, of] : kKinds)
-        for (const ViewCamera* camera : {&kAir, &kSide}) {
-            const glm::dvec3 none = meanOf(drawn(wood(of, 0, 1, 0), *camera));
+        for (const ViewCamera* camera : {&kFromTheAir, &kFromTheSide}) {
+            const glm::dvec3 none = meanLight(pictureAt(stretchedWood(of, 0, 1, 0), *camera));
             for (const float scale : {0.5f, 2.0f}) {
-                const glm::dvec3 truth = meanOf(traced(wood(of, 0, scale), *camera)),
-                                 volumes = meanOf(drawn(wood(of, 0, scale), *camera)),
-                                 meshes = meanOf(drawn(wood(of, 400, scale), *camera));
+                const glm::dvec3 truth = meanLight(truthOf(stretchedWood(of, 0, scale), *camera)),
+                                 volumes = meanLight(pictureAt(stretchedWood(of, 0, scale), *camera)),
+                                 meshes = meanLight(pictureAt(stretchedWood(of, 400, scale), *camera));
                 const std::string what =
-                    fmt::format("{}, {}, scale {:.1f}", kind, camera == &kAir ? "air" : "side", scale);
+                    fmt::format("{}, {}, scale {:.1f}", kind, camera == &kFromTheAir ? "air" : "side", scale);
                 std::printf("%s: truth %.4f, volumes %.4f, meshes %.4f, bare %.4f\n", what.c_str(), truth.y, volumes.y,
                             meshes.y, none.y);
                 const double error = glm::length(volumes - truth) / glm::length(truth),
@@ -90,12 +90,13 @@ TEST(StretchedForest, IsAsBrightAsTheTruthByVolumesAndByMeshes) {
 TEST(StretchedForest, StandsAsHighAgainstTheSkyAsTheTruth) {
     NoGlErrors errors;
     for (const auto& [kind, of] : kKinds) {
-        const std::vector<float> bare = drawn(wood(of, 0, 1, 0), kSide), sky = traced(wood(of, 0, 1, 0), kSide);
+        const std::vector<float> bare = pictureAt(stretchedWood(of, 0, 1, 0), kFromTheSide),
+                                 sky = truthOf(stretchedWood(of, 0, 1, 0), kFromTheSide);
         int lower = -1;
         for (const float scale : {0.5f, 1.0f, 2.0f}) {
-            const int truth = coverOf(traced(wood(of, 0, scale), kSide), sky),
-                      volumes = coverOf(drawn(wood(of, 0, scale), kSide), bare),
-                      meshes = coverOf(drawn(wood(of, 400, scale), kSide), bare);
+            const int truth = coverOf(truthOf(stretchedWood(of, 0, scale), kFromTheSide), sky),
+                      volumes = coverOf(pictureAt(stretchedWood(of, 0, scale), kFromTheSide), bare),
+                      meshes = coverOf(pictureAt(stretchedWood(of, 400, scale), kFromTheSide), bare);
             std::printf("%s, scale %.1f: pixels against the sky: truth %d, volumes %d, meshes %d\n", kind,
                         static_cast<double>(scale), truth, volumes, meshes);
             if (truth > 200) EXPECT_NEAR(static_cast<double>(volumes) / truth, 1, 0.1) << kind << " " << scale;
@@ -110,8 +111,8 @@ TEST(StretchedForest, StandsAsHighAgainstTheSkyAsTheTruth) {
 TEST(StretchedForest, LeansInTheTruthAsItIsDrawn) {
     NoGlErrors errors;
     const ViewCamera side{{80, 12, 150}, {80, 12, 80}, 30, 0};
-    Project calm = wood(TreeKind::Broadleaf, 400, 2, 0), bare = wood(TreeKind::Broadleaf, 400, 2, 0);
-    forestIn(calm).placed = {{.at = {80, 80}}};
+    Project calm = stretchedWood(TreeKind::Broadleaf, 400, 2, 0), bare = stretchedWood(TreeKind::Broadleaf, 400, 2, 0);
+    treesOf(calm).placed = {{.at = {80, 80}}};
     Project windy = snapshot(calm, tables().components);
     put<Wind>(windy, "wind", {.strength = 2, .azimuthDeg = 90, .turbulence = 0.2f});
     const auto middle = [&](const std::vector<float>& pixels, const std::vector<float>& sky) {
@@ -121,12 +122,13 @@ TEST(StretchedForest, LeansInTheTruthAsItIsDrawn) {
         EXPECT_GT(sum, 50) << "a crown in the picture's upper half";
         return at / sum;
     };
-    const std::vector<float> sky = drawn(bare, side), tracedSky = traced(bare, side);
-    const double upright = middle(drawn(calm, side), sky);
-    EXPECT_NEAR(upright, middle(traced(calm, side), tracedSky), 1);
+    const std::vector<float> sky = pictureAt(bare, side), tracedSky = truthOf(bare, side);
+    const double upright = middle(pictureAt(calm, side), sky);
+    EXPECT_NEAR(upright, middle(truthOf(calm, side), tracedSky), 1);
     double farthest = 0;
     for (const double time : {0.0, 3.0, 7.0}) {
-        const double ours = middle(drawn(windy, side, time), sky), truth = middle(traced(windy, side, time), tracedSky);
+        const double ours = middle(pictureAt(windy, side, time), sky),
+                     truth = middle(truthOf(windy, side, time), tracedSky);
         std::printf("at %.0f s: drawn %.2f, truth %.2f, upright %.2f\n", time, ours, truth, upright);
         EXPECT_NEAR(ours, truth, 1);
         farthest = std::max(farthest, std::abs(truth - upright));
@@ -141,12 +143,12 @@ TEST(StretchedForest, IsAsBrightInALampsLightAsItsMeshes) {
     for (const auto& [kind, of] : kKinds)
         for (const float scale : {0.5f, 2.0f}) {
             const auto green = [&](float meshesTo) {
-                Project p = wood(of, meshesTo, scale);
+                Project p = stretchedWood(of, meshesTo, scale);
                 for (const char* name : {"sun", "sky", "haze"}) removeEntity(p, name);
                 p.registry.get<Terrain>(findEntity(p, "ground"))->groundColor = glm::vec3(0);
                 putLamp(p, "lamp", {80, 8, 172}, {.intensity = 20, .attenuation = 0.02f});
                 double sum = 0;
-                const std::vector<float> pixels = drawn(p, eye);
+                const std::vector<float> pixels = pictureAt(p, eye);
                 for (size_t i = 1; i < pixels.size(); i += 3) sum += static_cast<double>(pixels[i]);
                 return sum;
             };
@@ -162,18 +164,18 @@ TEST(StretchedForest, IsAsBrightInALampsLightAsItsMeshes) {
 TEST(StretchedForest, FollowsItsScaleWithoutAnotherBake) {
     NoGlErrors errors;
     Renderer renderer(gpu(), tables());
-    Project p = wood(TreeKind::Birch, 160, 1);
-    ASSERT_TRUE(renderer.draw(p, kAir, small()));
+    Project p = stretchedWood(TreeKind::Birch, 160, 1);
+    ASSERT_TRUE(renderer.draw(p, kFromTheAir, small()));
     const std::vector<float> once = renderer.readLinear();
     const auto bytes = gpu().ledger["forest/texcells"];
-    forestIn(p).verticalScale = 2;
-    ASSERT_TRUE(renderer.draw(p, kAir, small()));
-    EXPECT_EQ(renderer.readLinear(), drawn(wood(TreeKind::Birch, 160, 2), kAir));
+    treesOf(p).verticalScale = 2;
+    ASSERT_TRUE(renderer.draw(p, kFromTheAir, small()));
+    EXPECT_EQ(renderer.readLinear(), pictureAt(stretchedWood(TreeKind::Birch, 160, 2), kFromTheAir));
     EXPECT_NE(renderer.readLinear(), once);
     const auto stretched = gpu().ledger["forest/texcells"];
     EXPECT_LT(static_cast<double>(stretched), 1.05 * static_cast<double>(bytes)) << "but for what a view lists";
-    forestIn(p).verticalScale = 1;
-    ASSERT_TRUE(renderer.draw(p, kAir, small()));
+    treesOf(p).verticalScale = 1;
+    ASSERT_TRUE(renderer.draw(p, kFromTheAir, small()));
     EXPECT_EQ(renderer.readLinear(), once);
 }
 
@@ -181,9 +183,9 @@ TEST(StretchedForest, LeastAndGreatestScalesGiveFinitePictures) {
     NoGlErrors errors;
     for (const float scale : {0.25f, 4.0f})
         for (const float meshesTo : {0.0f, 400.0f})
-            for (const ViewCamera& c : {kAir, ViewCamera{{80, 6, 80}, {80, 6, 0}, 55, 0},
+            for (const ViewCamera& c : {kFromTheAir, ViewCamera{{80, 6, 80}, {80, 6, 0}, 55, 0},
                                         ViewCamera{{-50, 0.001, 80}, {80, 0.001, 80}, 55, 0}})
-                for (const float x : drawn(wood(TreeKind::Conifer, meshesTo, scale), c))
+                for (const float x : pictureAt(stretchedWood(TreeKind::Conifer, meshesTo, scale), c))
                     ASSERT_TRUE(std::isfinite(x) && x >= 0 && x < 100);
 }
 

@@ -28,7 +28,7 @@ void eachTriangle(const Mesh& mesh, F body) {
         body(0.5 * static_cast<double>(shares[i / 3]) * glm::cross(at(1) - at(0), at(2) - at(0)));
     }
 }
-double areaOf(const Mesh& mesh) {
+double leafAreaOf(const Mesh& mesh) {
     double sum = 0;
     eachTriangle(mesh, [&](const glm::dvec3& n) { sum += glm::length(n); });
     return sum;
@@ -96,7 +96,7 @@ TEST(Stretch, DepthAlongTheBakedWayIsThatOfAMeshThatIsStretched) {
                 const glm::dvec3 way = towards(elevation);
                 const double metre = glm::length(way / glm::dvec3(1, by, 1));
                 const double seen = static_cast<double>(table.from(glm::vec3(way)).seen);
-                const double ours = 0.5 * areaOf(tree) * metre * seen, truth = outlineOf(tall, way) / by;
+                const double ours = 0.5 * leafAreaOf(tree) * metre * seen, truth = outlineOf(tall, way) / by;
                 EXPECT_NEAR(ours / truth, 1, 0.03) << scale << " at " << elevation;
             }
         }
