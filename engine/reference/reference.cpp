@@ -6,6 +6,7 @@
 #include "grass/drawing.h"
 #include "reference/flower_rays.h"
 #include "reference/grass_rays.h"
+#include "reference/hemisphere.h"
 #include "reference/mesh_blades.h"
 #include "reference/solids.h"
 #include "reference/water_rays.h"
@@ -34,11 +35,8 @@ struct Dice {
 };
 
 glm::vec3 cosineAround(const glm::vec3& n, Dice& dice) {
-    const float r2 = dice.unit(), turn = f32::kTau * dice.unit(), r = std::sqrt(r2);
-    const glm::vec3 side =
-        glm::normalize(std::abs(n.y) < 0.9f ? glm::cross(n, glm::vec3(0, 1, 0)) : glm::cross(n, glm::vec3(1, 0, 0)));
-    return glm::normalize(side * (r * std::cos(turn)) + glm::cross(n, side) * (r * std::sin(turn)) +
-                          n * std::sqrt(std::max(1 - r2, 1e-8f)));
+    const float share = dice.unit();
+    return cosineAround(n, share, dice.unit());
 }
 
 float luminance(const glm::vec3& c) { return glm::dot(c, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }

@@ -4,6 +4,7 @@
 
 #include "core/cache_file.h"
 #include "core/hash.h"
+#include "core/log.h"
 #include "core/numerics.h"
 #include "frame/plan.h"
 #include "grass/drawing.h"
@@ -12,6 +13,7 @@
 #include "grass/mask.h"
 #include "grass/slices.h"
 #include "reference/grass_rays.h"
+#include "reference/hemisphere.h"
 
 namespace sward {
 namespace {
@@ -36,11 +38,8 @@ glm::vec3 raised(float azimuth, float sine) {
     return {level * std::cos(azimuth), sine, level * std::sin(azimuth)};
 }
 glm::vec3 cosineAround(const glm::vec3& n, Dice& dice) {
-    const float r2 = dice.unit(), turn = f32::kTau * dice.unit(), r = std::sqrt(r2);
-    const glm::vec3 side =
-        glm::normalize(std::abs(n.y) < 0.9f ? glm::cross(n, glm::vec3(0, 1, 0)) : glm::cross(n, glm::vec3(1, 0, 0)));
-    return glm::normalize(side * (r * std::cos(turn)) + glm::cross(n, side) * (r * std::sin(turn)) +
-                          n * std::sqrt(std::max(1 - r2, 1e-8f)));
+    const float share = dice.unit();
+    return cosineAround(n, share, dice.unit());
 }
 float luminance(const glm::vec3& c) { return glm::dot(c, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
 
@@ -293,13 +292,15 @@ void updateTraced(DrawContext& ctx, TracedState::One& one, const FieldEntity& fi
     const Species& species = field.grows.species[i];
     const uint64_t asked =
         tracedKey(tracedSpec(ctx.project, field, i, {})) ^ hashBytes(species.texture.data(), species.texture.size());
-    if (one.asked == asked && one.light) return;
+    if (one.asked == asked) return;
     const TracedSpec spec = tracedSpec(ctx.project, field, i, bladeImage(ctx.project, species));
     const uint64_t key = tracedKey(spec);
     if (one.bakeOf != key) one.bake = {};  // the light of what was is shown meanwhile: nearer than none
     if (ctx.sketching()) return;
     const auto take = [&](Result<TracedLight> made) {
-        if (made) one.light = *made, one.asked = asked;
+        if (!made) logWarning(species.name + ": light from blade to blade is missing: " + made.error().text());
+        one.light = made ? std::optional(*made) : std::nullopt;
+        one.asked = asked;  // what failed is not tried again until something is changed
     };
     JobControl control;
     if (!ctx.settings.background) return take(tracedLight(cacheDir(), spec, control));
