@@ -1,5 +1,7 @@
 // A walk along a path on the ground: what the walker's keys would do to follow it. Pure.
-// Does not: move the walker (play_state.h): where it cannot go, such as up a cliff, it pushes and stays.
+// It goes around trunks, one at a time, and past those that stand on the path.
+// Does not: move the walker (play_state.h): where it cannot go, such as up a cliff or between two trunks that leave no
+// room, it pushes and stays.
 #pragma once
 #include "playtest/play_state.h"
 #include "scene/ground_path.h"
@@ -14,7 +16,7 @@ struct PathWalk {
 // To the path's beginning, and along it. No stations: the path has no point. `origin`: of the terrain.
 PathWalk pathWalk(const GroundPath& path, const glm::dvec3& origin);
 // Turns and moves the input towards the path, some steps ahead of the walker; whether it runs stays as it is. False at
-// the end of an open path: the input stands still.
-bool steer(PathWalk& walk, const Walker& walker, PlayInput& in);
+// the end of an open path, or beside a trunk that stands there: the input stands still.
+bool steer(PathWalk& walk, const PlayWorld& world, const Walker& walker, PlayInput& in);
 
 }  // namespace sward

@@ -1,6 +1,7 @@
 #include "playtest/play_state.h"
 
 #include "core/hash.h"
+#include "playtest/trunks.h"
 #include "world/ground.h"
 
 namespace sward {
@@ -53,7 +54,7 @@ glm::dvec2 insideEdges(const PlayWorld& world, glm::dvec2 at, double margin) {
 
 void placeWalker(PlayState& s, const PlayWorld& world, double x, double z, double yaw, double pitch) {
     Walker w;
-    const glm::dvec2 at = insideEdges(world, {finite(x), finite(z)}, kBodyRadius);
+    const glm::dvec2 at = outOfTrunks(world, insideEdges(world, {finite(x), finite(z)}, kBodyRadius), kBodyRadius);
     w.position = {at.x, groundHeight(world, at), at.y};
     w.yaw = finite(yaw);
     w.pitch = std::clamp(finite(pitch), -kMostPitch, kMostPitch);

@@ -1,8 +1,8 @@
 // What runs in a playtest: a walker and what rolls, in fixed steps of 1/60 s. Pure: no project, no window, no clock, no
 // chance; the same state and inputs give the same bits, step for step. Time is counted in whole ticks, so that nothing
 // drifts however late it is (T-3). Places are world metres in double, angles radians; y is up, yaw clockwise from -z
-// seen from above. Does not: draw; collide with objects that do not roll. Cost: about 1 us a step and 1 us a rolling
-// thing, and 5 ns each pair of them.
+// seen from above. Does not: draw; collide with objects that neither roll nor are trunks. Cost: about 1 us a step and 1
+// us a rolling thing, and 5 ns each pair of them; twice and four times as much in a forest (trunks.h).
 #pragma once
 #include <cstdint>
 #include <string>
@@ -12,6 +12,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "scene/components.h"
+#include "world/forest_stand.h"
 
 namespace sward {
 
@@ -28,10 +29,16 @@ inline constexpr double kFootRadius = 0.13;
 inline constexpr double kFootApart = 0.1;  // of each foot from the middle
 inline constexpr double kMostPitch = 89 * 3.14159265358979 / 180;
 
+// A forest in whose trunks nothing can walk or roll: asked by place (trunks.h).
+struct PlayForest {
+    ForestPlaces places;
+    double thickest = 0;  // metres: radius of its thickest trunk
+};
 // What does not change while it is played. Heights: world/ground.h.
 struct PlayWorld {
     Terrain terrain;
     glm::dvec3 origin{0};  // of the terrain
+    std::vector<PlayForest> forests{};
 };
 
 // What the person holds; it holds until something else is given.
@@ -79,7 +86,7 @@ struct PlayState {
     std::vector<Contact> contacts;  // of the last step: feet first; empty before the first
 };
 
-// Puts the walker on the ground at (x, z), or at the edge nearest to it, at rest.
+// Puts the walker on the ground at (x, z), or at the edge nearest to it, at rest; beside a trunk that stands there.
 void placeWalker(PlayState& s, const PlayWorld& world, double x, double z, double yaw, double pitch);
 // One tick. What is not finite in the input counts as 0.
 void stepPlay(PlayState& s, const PlayWorld& world, const PlayInput& in);
@@ -104,7 +111,7 @@ void addFeet(std::vector<Contact>& contacts, const Walker& w, const PlayWorld& w
 void stepRollers(PlayState& s, const PlayWorld& world);
 // Where what rolls lies on the ground.
 void addRollers(std::vector<Contact>& contacts, const std::vector<Roller>& rollers);
-// Within the edges, and straight up out of the ground.
+// Within the edges, out of trunks, and straight up out of the ground.
 void settleRoller(Roller& r, const PlayWorld& world);
 
 }  // namespace sward

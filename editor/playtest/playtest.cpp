@@ -2,6 +2,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "playtest/trunks.h"
 #include "tools/camera_control.h"
 #include "world/ground.h"
 #include "world/placement.h"
@@ -50,7 +51,7 @@ Result<std::unique_ptr<Playtest>> Playtest::start(const Project& p, std::span<co
         return failed("play cannot start there or then", "give finite numbers, and a time within 1e9 seconds");
     std::unique_ptr<Playtest> play(new Playtest);
     play->project_ = snapshot(p, rows);
-    play->world_ = {*ground.terrain, ground.origin};
+    play->world_ = {*ground.terrain, ground.origin, playForests(p)};
     play->view_ = start.view;
     play->byClock_ = start.byClock;
     play->now_.tick = std::llround(start.time * kTicksPerSecond);
@@ -81,7 +82,7 @@ Status Playtest::walkAlong(const std::string& entity) {
 }
 
 void Playtest::takeStep() {
-    if (walk_ && !steer(*walk_, now_.walker, input_)) walk_.reset();
+    if (walk_ && !steer(*walk_, world_, now_.walker, input_)) walk_.reset();
     stepPlay(now_, world_, input_);
     tracks_.press(project_, now_);
 }

@@ -1,5 +1,6 @@
 // What rolls: solid balls on the ground, or falling; the walker pushes them, and they push each other.
 #include "playtest/play_state.h"
+#include "playtest/trunks.h"
 
 namespace sward {
 namespace {
@@ -29,12 +30,30 @@ Touch touchOf(const PlayWorld& world, const Roller& r) {
     return {n, glm::dot(r.position - point, n) - r.radius};
 }
 
-void keepInside(Roller& r, const PlayWorld& world) {
+void keepWithinEdges(Roller& r, const PlayWorld& world) {
     const glm::dvec2 in = insideEdges(world, across(r.position), r.radius);
     if (in.x != r.position.x) r.velocity.x = 0;
     if (in.y != r.position.z) r.velocity.z = 0;
     r.position.x = in.x;
     r.position.z = in.y;
+}
+void keepInside(Roller& r, const PlayWorld& world) {
+    keepWithinEdges(r, world);
+    const glm::dvec2 out = outOfTrunks(world, across(r.position), r.radius);
+    r.position.x = out.x;
+    r.position.z = out.y;
+}
+
+// On the way of a step, what it loses is what leads into trunks.
+void meetTrunks(Roller& r, const PlayWorld& world) {
+    const glm::dvec2 to = across(r.position), past = pastTrunks(world, across(r.from), to, r.radius);
+    const double lost = glm::length(past - to);
+    if (lost == 0) return;
+    const glm::dvec2 n = (past - to) / lost;
+    const double into = std::max(-glm::dot(across(r.velocity), n), 0.0);
+    r.velocity += glm::dvec3(n.x, 0, n.y) * (into * (into > kSoftLanding ? 1 + kBounce : 1));
+    r.position.x = past.x;
+    r.position.z = past.y;
 }
 
 // Gravity along the slope against friction; what friction holds rests.
@@ -77,7 +96,8 @@ void move(Roller& r, const PlayWorld& world) {
     const double speed = glm::length(r.velocity);
     if (speed > kFastest) r.velocity *= kFastest / speed;
     r.position += r.velocity * kTickSeconds;
-    keepInside(r, world);
+    keepWithinEdges(r, world);
+    meetTrunks(r, world);
     meetGround(r, world);
     keepInside(r, world);
 }
@@ -95,7 +115,8 @@ void meetWalker(Walker& w, Roller& r, const PlayWorld& world) {
     r.position += glm::dvec3(n.x, 0, n.y) * (depth * r.push);
     settleRoller(r, world);
     const double left = std::max(kBodyRadius + r.radius - glm::length(across(r.position - w.position)), 0.0);
-    const glm::dvec2 back = insideEdges(world, across(w.position) - n * left, kBodyRadius);
+    const glm::dvec2 free = insideEdges(world, across(w.position) - n * left, kBodyRadius);
+    const glm::dvec2 back = pastTrunks(world, across(w.position), free, kBodyRadius);
     w.position = {back.x, w.onGround ? groundHeight(world, back) : std::max(w.position.y, groundHeight(world, back)),
                   back.y};
     w.velocity -= glm::dvec3(n.x, 0, n.y) * (walks * (1 - r.push));

@@ -1,5 +1,6 @@
 // The walker's step: it steers, goes as far as slopes and edges allow, jumps and falls, and sets its feet down.
 #include "playtest/play_state.h"
+#include "playtest/trunks.h"
 
 namespace sward {
 namespace {
@@ -25,13 +26,14 @@ glm::dvec2 steered(const Walker& w, const PlayInput& in, glm::dvec2 slope) {
     return slides ? v - slope * (kGravity * kTickSeconds / (1 + steep * steep)) : v;
 }
 
+bool isTooSteep(const Walker& w, const PlayWorld& world, glm::dvec2 to) {
+    return groundHeight(world, to) - w.position.y > kSteepest * glm::length(to - across(w.position)) + 1e-9;
+}
+
 // The part of a way that climbs no steeper than feet hold: all of it, along the slope, or nothing.
 glm::dvec2 passable(const Walker& w, const PlayWorld& world, glm::dvec2 way) {
     const glm::dvec2 at = across(w.position);
-    const auto tooSteep = [&](glm::dvec2 by) {
-        const glm::dvec2 to = insideEdges(world, at + by, kBodyRadius);
-        return groundHeight(world, to) - w.position.y > kSteepest * glm::length(to - at) + 1e-9;
-    };
+    const auto tooSteep = [&](glm::dvec2 by) { return isTooSteep(w, world, insideEdges(world, at + by, kBodyRadius)); };
     if (!tooSteep(way)) return way;
     const glm::dvec2 up = groundSlope(world, at + way, kSlopeReach);
     const double climb = glm::dot(way, up);
@@ -42,7 +44,9 @@ glm::dvec2 passable(const Walker& w, const PlayWorld& world, glm::dvec2 way) {
 // Returns how far it came over the ground.
 double moveAcross(Walker& w, const PlayWorld& world, glm::dvec2 velocity) {
     const glm::dvec2 at = across(w.position);
-    const glm::dvec2 to = insideEdges(world, at + passable(w, world, velocity * kTickSeconds), kBodyRadius);
+    const glm::dvec2 wanted = insideEdges(world, at + passable(w, world, velocity * kTickSeconds), kBodyRadius);
+    glm::dvec2 to = pastTrunks(world, at, wanted, kBodyRadius);
+    if (to != wanted && isTooSteep(w, world, to)) to = at;  // a trunk's side leads up a cliff
     w.velocity.x = (to.x - at.x) / kTickSeconds;
     w.velocity.z = (to.y - at.y) / kTickSeconds;
     w.position.x = to.x;

@@ -32,24 +32,61 @@ struct Stander {
         const double slope = glm::degrees(std::acos(std::min(terrainNormal(terrain, at.x, at.y).y, 1.0)));
         return slope >= forest.slopeDeg.x && slope <= forest.slopeDeg.y;
     }
+    glm::dvec2 placeOf(const glm::ivec2& cell, const TileTree& t) const {
+        const f64::vec2 corner = f64::fromLattice({cell.x, cell.y}, tiles.edge);
+        return glm::dvec2(corner.x, corner.y) + t.at;
+    }
+    uint32_t hashOf(const glm::ivec2& cell, uint32_t key, size_t k) const {
+        return f32::hash2(f32::cellHash(cell.x, cell.y, seed), key * 64 + static_cast<uint32_t>(k));
+    }
+    StandingTree tree(const ForestTile& tile, const TileTree& t, const glm::dvec2& at, uint32_t hash) const {
+        const f64::vec2 within = f64::toLattice({t.at.x, t.at.y}, tiles.edge);
+        const glm::vec2 stored(static_cast<float>(tile.cell % tiles.colors + within.x),
+                               static_cast<float>(tile.cell / tiles.colors + within.y));
+        return {origin + glm::dvec3(at.x, terrainHeight(terrain, at.x, at.y), at.y),
+                t.species,
+                t.size,
+                t.headingDeg,
+                stored,
+                f32::hashUnit(f32::hash2(hash, 2)),
+                false,
+                forest.verticalScale};
+    }
     // Adds those of a list that stand; `numbers` takes their place among the trees, -1 for the others.
     void add(const glm::ivec2& cell, const ForestTile& tile, uint32_t key, const std::vector<TileTree>& list,
              std::vector<StandingTree>& out, int32_t* numbers) const {
-        const f64::vec2 corner = f64::fromLattice({cell.x, cell.y}, tiles.edge);
         for (size_t k = 0; k < list.size(); ++k) {
-            const glm::dvec2 at = glm::dvec2(corner.x, corner.y) + list[k].at;
-            const uint32_t h = f32::hash2(f32::cellHash(cell.x, cell.y, seed), key * 64 + static_cast<uint32_t>(k));
+            const glm::dvec2 at = placeOf(cell, list[k]);
+            const uint32_t h = hashOf(cell, key, k);
             numbers[k] = -1;
             if (!stands(at, h)) continue;
             numbers[k] = static_cast<int32_t>(out.size());
-            const f64::vec2 within = f64::toLattice({list[k].at.x, list[k].at.y}, tiles.edge);
-            const glm::vec2 stored(static_cast<float>(tile.cell % tiles.colors + within.x),
-                                   static_cast<float>(tile.cell / tiles.colors + within.y));
-            out.push_back({origin + glm::dvec3(at.x, terrainHeight(terrain, at.x, at.y), at.y), list[k].species,
-                           list[k].size, list[k].headingDeg, stored, f32::hashUnit(f32::hash2(h, 2))});
+            out.push_back(tree(tile, list[k], at, h));
         }
     }
+    // `use`(tile, key, list) of each list of trees that a cell of the lattice owns.
+    template <class Use>
+    void lists(const glm::ivec2& cell, const Use& use) const {
+        const ForestTile up = tileAt(cell.x, cell.y, true, seed, tiles.colors),
+                         down = tileAt(cell.x, cell.y, false, seed, tiles.colors);
+        for (uint32_t f = 0; f < 3; ++f) use(up, f, tiles.onEdge[f][static_cast<size_t>(up.colors[f])]);
+        use(down, kInsideKey, tiles.within(down.cell, false));
+        use(up, kInsideKey + 1, tiles.within(up.cell, true));
+    }
 };
+
+uint32_t latticeSeed(const Forest& forest) { return f32::hash2(static_cast<uint32_t>(forest.seed), 0x7115u); }
+double riseOf(const ForestTiles& tiles) { return tiles.edge * 0.8660254037844386; }
+Stander standerOf(const Forest& forest, const Ground& ground, const ForestTiles& tiles) {
+    const Terrain& t = *ground.terrain;
+    return {forest, t, tiles, tilingOf(t, forest.densityTiling), ground.origin, latticeSeed(forest)};
+}
+// Whether any tree may stand: there is a terrain, and not more are asked for than may be.
+bool mayStand(const Forest& forest, const Ground& ground) {
+    if (!ground.terrain || !grows(forest)) return false;
+    const glm::dvec2 size = ground.terrain->size;
+    return static_cast<double>(forest.perHectare) / 1e4 * size.x * size.y <= kMostForestTrees;
+}
 
 // What belongs to one cell of the lattice: its three edges' trees, and those of its two triangles.
 struct CellTrees {
@@ -70,12 +107,10 @@ Row standRow(const Stander& s, int j, int first, int count) {
         for (auto& e : cell.onEdge) e.fill(-1);
         for (auto& e : cell.inside) e.fill(-1);
         const glm::ivec2 at(first + c, j);
-        const ForestTile up = tileAt(at.x, at.y, true, s.seed, s.tiles.colors),
-                         down = tileAt(at.x, at.y, false, s.seed, s.tiles.colors);
-        for (uint32_t f = 0; f < 3; ++f)
-            s.add(at, up, f, s.tiles.onEdge[f][static_cast<size_t>(up.colors[f])], row.trees, cell.onEdge[f].data());
-        s.add(at, down, kInsideKey, s.tiles.within(down.cell, false), row.trees, cell.inside[0].data());
-        s.add(at, up, kInsideKey + 1, s.tiles.within(up.cell, true), row.trees, cell.inside[1].data());
+        s.lists(at, [&](const ForestTile& tile, uint32_t key, const std::vector<TileTree>& list) {
+            int32_t* numbers = key < kInsideKey ? cell.onEdge[key].data() : cell.inside[key - kInsideKey].data();
+            s.add(at, tile, key, list, row.trees, numbers);
+        });
     }
     return row;
 }
@@ -96,19 +131,20 @@ uint64_t hashOf(const std::vector<StandingTree>& trees) {
     return h.value();
 }
 
-// Trees placed by hand: behind all others, in no triangle, so that no volume has them.
-void placeByHand(StandingForest& out, const Forest& forest, const Terrain& t) {
-    for (const PlacedTree& p : forest.placed) {
-        const size_t species = static_cast<size_t>(std::max(p.species, 0));
-        if (species >= forest.species.size() || !stands(forest.species[species])) continue;
-        out.trees.push_back({out.origin + glm::dvec3(p.at.x, terrainHeight(t, p.at.x, p.at.y), p.at.y),
-                             static_cast<uint32_t>(species),
-                             p.size,
-                             p.headingDeg,
-                             {},
-                             0,
-                             true});
-    }
+bool standsByHand(const PlacedTree& p, const Forest& forest) {
+    const size_t species = static_cast<size_t>(std::max(p.species, 0));
+    return species < forest.species.size() && stands(forest.species[species]);
+}
+StandingTree handTree(const PlacedTree& p, const Forest& forest, const Ground& ground) {
+    const double height = terrainHeight(*ground.terrain, p.at.x, p.at.y);
+    return {ground.origin + glm::dvec3(p.at.x, height, p.at.y),
+            static_cast<uint32_t>(std::max(p.species, 0)),
+            p.size,
+            p.headingDeg,
+            {},
+            0,
+            true,
+            forest.verticalScale};
 }
 
 }  // namespace
@@ -125,15 +161,14 @@ double trunkRadius(const TreeSpecies& s) {
 
 StandingForest standingForest(const Forest& forest, const Ground& ground) {
     StandingForest out;
-    if (!ground.terrain || !grows(forest)) return out;
+    if (!mayStand(forest, ground)) return out;
     const Terrain& t = *ground.terrain;
-    if (static_cast<double>(forest.perHectare) / 1e4 * t.size.x * t.size.y > kMostForestTrees) return out;
     out.tiles = forestTiles(forest);
     out.origin = ground.origin;
-    const uint32_t seed = out.seed = f32::hash2(static_cast<uint32_t>(forest.seed), 0x7115u);
-    const Stander s{forest, t, out.tiles, tilingOf(t, forest.densityTiling), ground.origin, seed};
+    const Stander s = standerOf(forest, ground, out.tiles);
+    const uint32_t seed = out.seed = s.seed;
     // From one row and one cell beyond the terrain on each side, whose edges' trees may stand on it.
-    const double rise = out.tiles.edge * 0.8660254037844386;
+    const double rise = riseOf(out.tiles);
     const int rows = static_cast<int>(std::ceil(t.size.y / rise)) + 2;
     const int cells = static_cast<int>(std::ceil(t.size.x / out.tiles.edge)) + 3;
     const auto firstOf = [&](int j) { return static_cast<int>(std::floor(-0.5 * (j + 1))) - 1; };
@@ -168,10 +203,51 @@ StandingForest standingForest(const Forest& forest, const Ground& ground) {
                 if (std::any_of(tri.trees.begin(), tri.trees.end(), [](int32_t n) { return n >= 0; }))
                     out.triangles.push_back(tri);
             }
-    placeByHand(out, forest, t);
-    for (StandingTree& tree : out.trees) tree.upright = forest.verticalScale;
+    for (const PlacedTree& p : forest.placed)  // behind all others, in no triangle, so that no volume has them
+        if (standsByHand(p, forest)) out.trees.push_back(handTree(p, forest, ground));
     out.hash = hashOf(out.trees);
     return out;
+}
+
+ForestPlaces forestPlaces(const Forest& forest, const Ground& ground) {
+    ForestPlaces out;
+    if (!mayStand(forest, ground)) return out;
+    out.rule = forest;
+    out.tiles = forestTiles(forest);
+    for (uint32_t i = 0; i < forest.placed.size(); ++i)
+        if (standsByHand(forest.placed[i], forest)) out.byHand.emplace_back(forest.placed[i].at.x, i);
+    std::sort(out.byHand.begin(), out.byHand.end());
+    return out;
+}
+
+size_t treesNear(const ForestPlaces& places, const Ground& ground, const glm::dvec2& at, double reach,
+                 std::vector<StandingTree>& out) {
+    out.clear();
+    if (!ground.terrain || places.tiles.inside.empty()) return 0;
+    const Stander s = standerOf(places.rule, ground, places.tiles);
+    const glm::dvec2 here = at - glm::dvec2(ground.origin.x, ground.origin.z);
+    const auto isNear = [&](const glm::dvec2& foot) { return glm::dot(foot - here, foot - here) <= reach * reach; };
+    size_t looked = 0;
+    // A cell's trees lie within it or, on edges, within their circles beside it.
+    const f64::vec2 middle = f64::toLattice({here.x, here.y}, places.tiles.edge);
+    const double span = (reach + places.tiles.circle) / riseOf(places.tiles);
+    const auto cellOf = [](double v) { return static_cast<int>(std::floor(v)); };
+    for (int j = cellOf(middle.y - span); j <= cellOf(middle.y + span); ++j)
+        for (int i = cellOf(middle.x - span); i <= cellOf(middle.x + span); ++i)
+            s.lists({i, j}, [&](const ForestTile& tile, uint32_t key, const std::vector<TileTree>& list) {
+                looked += list.size();
+                for (size_t k = 0; k < list.size(); ++k) {
+                    const glm::dvec2 foot = s.placeOf({i, j}, list[k]);
+                    if (!isNear(foot)) continue;
+                    if (const uint32_t h = s.hashOf({i, j}, key, k); s.stands(foot, h))
+                        out.push_back(s.tree(tile, list[k], foot, h));
+                }
+            });
+    const auto from = std::lower_bound(places.byHand.begin(), places.byHand.end(), std::pair(here.x - reach, 0u));
+    for (auto it = from; it != places.byHand.end() && it->first <= here.x + reach; ++it, ++looked)
+        if (const PlacedTree& p = places.rule.placed[it->second]; isNear(p.at))
+            out.push_back(handTree(p, places.rule, ground));
+    return looked;
 }
 
 bool isMesh(const Forest& forest, const StandingTree& tree, double distance) {

@@ -47,6 +47,20 @@ struct StandingForest {
 // Nothing without a terrain, or where more than kMostForestTrees are asked for.
 StandingForest standingForest(const Forest& forest, const Ground& ground);
 
+// A forest whose trees are asked for by place. None is kept, so that bytes and time go by its tiles and by the trees
+// placed by hand, however large the terrain.
+struct ForestPlaces {
+    Forest rule;
+    ForestTiles tiles;                                // none: no tree stands
+    std::vector<std::pair<double, uint32_t>> byHand;  // of rule.placed, by x: metres from the terrain's corner, index
+};
+ForestPlaces forestPlaces(const Forest& forest, const Ground& ground);
+// Replaces `out` by the trees of standingForest whose feet lie within `reach` metres of a place in the world (x, z):
+// those of the lattice in a fixed order, then those placed by hand. `ground`: that of forestPlaces. Returns how many
+// trees it looked at: those of the cells around the place, stand they or not.
+size_t treesNear(const ForestPlaces& places, const Ground& ground, const glm::dvec2& at, double reach,
+                 std::vector<StandingTree>& out);
+
 // Whether a tree at this distance (m) from the eye is drawn as a mesh; else its volume is. Each tree changes at a
 // distance of its own, within a tenth of meshesTo, so that no ring of trees changes at once.
 bool isMesh(const Forest& forest, const StandingTree& tree, double distance);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <tuple>
 
 #include "core/numerics.h"
 #include "missed.h"
@@ -42,6 +43,42 @@ TEST(ForestStand, HasTheNumberThatIsAskedForWithinTheTerrain) {
         EXPECT_TRUE(t.at.x >= 0 && t.at.x <= 200 && t.at.z >= 0 && t.at.z <= 150);
         EXPECT_EQ(t.at.y, 0);
     }
+}
+
+TEST(ForestStand, NearAPlaceAreThoseOfTheWholeListAndFewAreLookedAt) {
+    Wood w;
+    w.plane(60);
+    w.rule.slopeDeg = {0, 30};
+    w.rule.verticalScale = 1.5f;
+    w.origin = {-30, 5, 12};
+    for (const double x : {20.0, 20.5, 180.0, 20.0}) w.rule.placed.push_back({"", 0, {x, 30}, 1.5f, 20});
+    w.rule.placed.push_back({"", 7, {20, 30}, 1, 0});  // of no species: it does not stand
+    Map half({2, 1, 1, PixelType::U16});
+    half.set(0, 0, 0, 1);
+    half.set(1, 0, 0, 0.5f);
+    w.rule.density = {"maps/d.png", half};
+    const StandingForest all = w.all();
+    const ForestPlaces places = forestPlaces(w.rule, {&w.terrain, w.origin});
+    const auto key = [](const StandingTree& t) {
+        return std::tuple(t.at.x, t.at.y, t.at.z, t.species, t.size, t.headingDeg, t.chance, t.byHand, t.upright);
+    };
+    std::vector<StandingTree> near;
+    size_t found = 0;
+    for (int i = 0; i < 400; ++i) {
+        const glm::dvec2 at(-35 + 11 * (i % 20), 5 + 8.3 * (i / 20));
+        const double reach = 0.2 + 0.05 * i;
+        std::set<decltype(key(all.trees[0]))> asked, listed;
+        const size_t looked = treesNear(places, {&w.terrain, w.origin}, at, reach, near);
+        EXPECT_LT(static_cast<double>(looked), 250 + 0.15 * 3.15 * (reach + 20) * (reach + 20)) << reach;
+        for (const StandingTree& t : near) asked.insert(key(t));
+        EXPECT_GE(near.size(), asked.size());
+        for (const StandingTree& t : all.trees)
+            if (glm::length(glm::dvec2(t.at.x, t.at.z) - at) <= reach) listed.insert(key(t));
+        EXPECT_TRUE(asked == listed) << i;
+        found += listed.size();
+    }
+    EXPECT_GT(found, 1000u);
+    EXPECT_EQ(treesNear(forestPlaces(w.rule, {}), {}, {0, 0}, 100, near), 0u);
 }
 
 TEST(ForestStand, EachTreeIsInATriangleAndEachTrianglesTreesStandThere) {

@@ -21,7 +21,7 @@ double walkAlong(PathWalk walk, const GroundCurve& curve, const PlayWorld& world
     double farthest = 0;
     bool on = false;
     for (taken = 0; taken < most; ++taken) {
-        if (!steer(walk, s.walker, in)) break;
+        if (!steer(walk, world, s.walker, in)) break;
         stepPlay(s, world, in);
         const double off = nearestOn(curve, {s.walker.position.x, s.walker.position.z}).distance;
         on = on || off < 0.1;
@@ -49,7 +49,7 @@ TEST(PathWalk, RunsWhereTheInputRunsAndGoesRoundAClosedOne) {
     EXPECT_EQ(taken, 6000) << "it has no end";
     PlayInput in;
     in.run = true;
-    EXPECT_TRUE(steer(walk, s.walker, in));
+    EXPECT_TRUE(steer(walk, world, s.walker, in));
     EXPECT_TRUE(in.run);
 }
 TEST(PathWalk, OnATerrainThatStandsElsewhereAndOnOnePoint) {

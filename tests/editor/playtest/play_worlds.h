@@ -3,8 +3,9 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
-#include "playtest/play_state.h"
+#include "playtest/trunks.h"
 
 namespace sward::test {
 
@@ -26,6 +27,20 @@ inline PlayWorld worldOf(const std::function<double(double, double)>& height = n
 inline PlayWorld hills() {
     return worldOf(
         [](double x, double z) { return 3 * std::sin(x / 5) * std::cos(z / 7) + 0.2 * std::sin(x * 1.7 + z); });
+}
+inline PlacedTree treeAt(double x, double z, float size = 1) {
+    PlacedTree t;
+    t.at = {x, z};
+    t.size = size;
+    return t;
+}
+// Trees by hand alone, of a species whose trunks have a radius of kTrunk.
+inline const double kTrunk = trunkRadius(TreeSpecies{});
+inline void plant(PlayWorld& world, const std::vector<PlacedTree>& trees) {
+    Forest forest;
+    forest.perHectare = 0;
+    forest.placed = trees;
+    world.forests.push_back(playForest(forest, {&world.terrain, world.origin}));
 }
 inline PlayState stateAt(const PlayWorld& world, double x, double z, double yaw = kRight) {
     PlayState s;
