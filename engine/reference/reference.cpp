@@ -34,7 +34,7 @@ struct Dice {
     uint32_t grain() { return f32::hash3(seed, place, next++); }
 };
 
-glm::vec3 cosineAround(const glm::vec3& n, Dice& dice) {
+glm::vec3 drawnAround(const glm::vec3& n, Dice& dice) {
     const float share = dice.unit();
     return cosineAround(n, share, dice.unit());
 }
@@ -265,7 +265,7 @@ Bounce bounceOff(const Surface& s, const glm::vec3& toEye, Dice& dice) {
     const float through = s.looks.x > 0 ? s.looks.x * luminance(f32::leafThrough(s.color)) : 0;
     const float share = through > 0 ? through / (through + luminance(s.color)) : 0;
     const bool behind = share > 0 && dice.unit() < share;
-    const glm::vec3 side = behind ? -s.normal : s.normal, towards = cosineAround(side, dice);
+    const glm::vec3 side = behind ? -s.normal : s.normal, towards = drawnAround(side, dice);
     const float cosine = std::max(glm::dot(side, towards), 1e-6f);
     return {towards, sends(s, toEye, towards) / (cosine * (behind ? share : 1 - share))};
 }

@@ -37,7 +37,7 @@ glm::vec3 raised(float azimuth, float sine) {
     const float level = std::sqrt(1 - sine * sine);
     return {level * std::cos(azimuth), sine, level * std::sin(azimuth)};
 }
-glm::vec3 cosineAround(const glm::vec3& n, Dice& dice) {
+glm::vec3 drawnAround(const glm::vec3& n, Dice& dice) {
     const float share = dice.unit();
     return cosineAround(n, share, dice.unit());
 }
@@ -91,7 +91,7 @@ glm::vec3 bounce(const Surface& s, const glm::vec3& toEye, Dice& dice, glm::vec3
     const float through = s.looks.x * luminance(f32::leafThrough(s.color)),
                 share = through / std::max(through + luminance(s.color), 1e-6f);
     const bool behind = dice.unit() < share;
-    const glm::vec3 side = behind ? -s.normal : s.normal, towards = cosineAround(side, dice);
+    const glm::vec3 side = behind ? -s.normal : s.normal, towards = drawnAround(side, dice);
     weight *= sends(s, toEye, towards) / (std::max(glm::dot(side, towards), 1e-6f) * (behind ? share : 1 - share));
     return towards;
 }
@@ -187,7 +187,7 @@ SoilSums traceSoil(Tracer& t, int part, int rays, const JobControl& control) {
     for (int n = 0; n < rays && !control.cancelled(); ++n) {
         Dice dice{f32::hash3(0x5011u, static_cast<uint32_t>(part), static_cast<uint32_t>(n))};
         const glm::dvec3 at(0.5 * kSide + 20 * double(dice.unit()), 1e-4, 0.5 * kSide + 20 * double(dice.unit()));
-        const glm::vec3 way = cosineAround({0, 1, 0}, dice);
+        const glm::vec3 way = drawnAround({0, 1, 0}, dice);
         const std::optional<Surface> s =
             t.rays.closest({at, glm::dvec3(way), 0, std::numeric_limits<double>::infinity(), dice.grain()}, t.memory);
         if (s)
