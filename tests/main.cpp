@@ -18,9 +18,10 @@ fs::path bakedFolder() {
     const std::string name = "baked-" + self.filename().string();
     const fs::path mine =
         self.parent_path() / (name + "-" + std::to_string(fs::last_write_time(self).time_since_epoch().count()));
+    std::error_code another;  // process removes it, too
     for (const auto& entry : fs::directory_iterator(self.parent_path()))
         if (entry.path().filename().string().starts_with(name + "-") && entry.path() != mine)
-            fs::remove_all(entry.path());
+            fs::remove_all(entry.path(), another);
     return mine;
 }
 }  // namespace
