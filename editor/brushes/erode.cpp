@@ -39,7 +39,8 @@ float metresOf(const Land& land, float steps) { return steps * land.unit - land.
 
 template <class T>
 void readTile(const Map& map, int tx, int ty, Land& land) {
-    const T* in = reinterpret_cast<const T*>(map.tile(tx, ty)->bytes.data());
+    const TileTexels texels = map.tile(tx, ty)->texels();
+    const T* in = reinterpret_cast<const T*>(texels.data());
     const int columns = std::min(kTileSize, map.info().width - tx * kTileSize),
               rows = std::min(kTileSize, map.info().height - ty * kTileSize);
     for (int y = 0; y < kTileSize; ++y) {

@@ -99,13 +99,14 @@ std::shared_ptr<const Tile> paintTyped(const Map& map, int tx, int ty, const Sta
     const std::shared_ptr<const Tile>& old = map.tile(tx, ty);
     const StampWeights weights(map.info(), stamp, brush, tx, ty);
     const float threshold = roundingThreshold(stamp.turn);
+    const TileTexels texels = old->texels();
     std::shared_ptr<Tile> fresh;
     alignas(64) float weight[kTileSize];
     alignas(64) Real value[kValues], change[kValues];
     alignas(64) T next[kValues];
     for (int y = 0; y < kTileSize; ++y) {
         if (!weights.row(y, weight)) continue;
-        const T* in = reinterpret_cast<const T*>(old->bytes.data()) + y * kValues;
+        const T* in = reinterpret_cast<const T*>(texels.data()) + y * kValues;
         for (int i = 0; i < kValues; ++i) value[i] = static_cast<Real>(in[i]);
         changeOf(PaintRow<Real>{tx * kTileSize, ty * kTileSize + y, PixelTraits<T>::scale, weight, value, change});
         if constexpr (std::is_same_v<T, float>)
@@ -114,7 +115,7 @@ std::shared_ptr<const Tile> paintTyped(const Map& map, int tx, int ty, const Sta
             addSteps<kValues>(in, change, threshold, next);
         if (std::memcmp(in, next, sizeof next) == 0) continue;
         if (!fresh) fresh = std::make_shared<Tile>(*old);
-        std::memcpy(fresh->bytes.data() + size_t(y) * sizeof next, next, sizeof next);
+        std::memcpy(fresh->write() + size_t(y) * sizeof next, next, sizeof next);
     }
     return fresh ? std::shared_ptr<const Tile>(std::move(fresh)) : old;
 }

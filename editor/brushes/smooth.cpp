@@ -34,7 +34,7 @@ void readRow(const Map& map, const ValueOf& valueOf, int x0, int y, int n, V* ou
     const int from = std::clamp(-x0, 0, n - 1), to = std::clamp(width - x0, from + 1, n);
     for (int i = from; i < to;) {
         const int x = x0 + i, run = std::min(kTileSize - x % kTileSize, to - i);
-        const T* in = reinterpret_cast<const T*>(map.tile(x / kTileSize, y / kTileSize)->bytes.data()) +
+        const T* in = reinterpret_cast<const T*>(map.tile(x / kTileSize, y / kTileSize)->look()) +
                       (y % kTileSize * kTileSize + x % kTileSize) * Channels;
         for (int k = 0; k < run; ++k) out[i + k] = valueOf(in + k * Channels);
         i += run;

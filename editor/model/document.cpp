@@ -277,7 +277,7 @@ Status Document::setMap(const std::string& mapPath, Map map, const std::string& 
         return usage(field->path + ": heights of 8 bits", "use 16 bits or floats");
     return impl_->changeField(label, *field, [&]() -> Status {
         auto& target = *static_cast<MapField*>(field->value);
-        target.file = mapFileFor(*field, map.info().type);
+        target.file = mapFileFor(*field, map.info());
         target.map = std::move(map);
         return {};
     });

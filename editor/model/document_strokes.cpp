@@ -101,7 +101,7 @@ Status Document::beginStrokes(std::span<const BrushSettings> brushes, double x, 
         before[part.path] = target.map;
         if (target.present()) continue;
         target.map = newMap(*impl_->project, *field);
-        target.file = mapFileFor(*field, target.map.info().type);
+        target.file = mapFileFor(*field, target.map.info());
     }
     impl_->stroke = std::move(stroke);
     impl_->lastStroke = {std::move(before), ++impl_->revision};

@@ -96,7 +96,7 @@ bool sameTexels(const Map& a, const Map& b) {
     if (a.info() != b.info()) return false;
     for (int ty = 0; ty < a.tilesY(); ++ty)
         for (int tx = 0; tx < a.tilesX(); ++tx)
-            if (a.tile(tx, ty) != b.tile(tx, ty) && a.tile(tx, ty)->bytes != b.tile(tx, ty)->bytes) return false;
+            if (!sameTexels(*a.tile(tx, ty), *b.tile(tx, ty))) return false;
     return true;
 }
 

@@ -29,7 +29,7 @@ size_t stepBytes(const UndoStep& step) {
         if (c.row && c.after) collectTiles(*c.row, c.after.get(), after, bytes);
     }
     for (const Tile* tile : before)
-        if (!after.contains(tile)) bytes += tile->bytes.size();
+        if (!after.contains(tile)) bytes += tile->heldBytes();
     return bytes;
 }
 

@@ -39,7 +39,7 @@ std::shared_ptr<const Tile> changedTile(const Tile& tile, int channels, int widt
     auto out = std::make_shared<Tile>(tile);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
-            std::byte* at = out->bytes.data() + size_t(y * kTileSize + x) * size_t(channels) * sizeof(T);
+            std::byte* at = out->write() + size_t(y * kTileSize + x) * size_t(channels) * sizeof(T);
             float texel[4] = {};
             for (int c = 0; c < channels; ++c) texel[c] = readStep<T>(at + size_t(c) * sizeof(T));
             change(texel);
@@ -126,7 +126,7 @@ Map uniformMap(const MapInfo& info, const glm::vec4& value) {
                 auto fresh = std::make_shared<Tile>(*piece.tile);
                 for (int y = 0; y < piece.height; ++y)
                     for (int x = 0; x < piece.width; ++x)
-                        std::memcpy(fresh->bytes.data() + size_t(y * kTileSize + x) * texel.size(), texel.data(),
+                        std::memcpy(fresh->write() + size_t(y * kTileSize + x) * texel.size(), texel.data(),
                                     texel.size());
                 tile = std::move(fresh);
             }

@@ -289,10 +289,11 @@ namespace {
 // Whether texels of an integer tile stand at either end of its range that did not before.
 template <class T>
 std::pair<bool, bool> newEnds(const Tile& before, const Tile& now) {
-    const T *a = reinterpret_cast<const T*>(before.bytes.data()), *b = reinterpret_cast<const T*>(now.bytes.data());
+    const TileTexels old = before.texels(), fresh = now.texels();
+    const T *a = reinterpret_cast<const T*>(old.data()), *b = reinterpret_cast<const T*>(fresh.data());
     constexpr T most = std::numeric_limits<T>::max();
     int low = 0, high = 0;
-    for (size_t i = 0; i < now.bytes.size() / sizeof(T); ++i) {
+    for (size_t i = 0; i < fresh.size() / sizeof(T); ++i) {
         low |= b[i] == 0 && a[i] != 0;
         high |= b[i] == most && a[i] != most;
     }

@@ -19,7 +19,7 @@ Status checkLength(uint64_t bytes, uint64_t limit);
 // (nothing is read then).
 Result<std::string> readFile(const std::filesystem::path& file, uint64_t limit);
 
-// Tells a file from one that took its place: a save always makes a new one. All zero if there is none.
+// Tells a file from one that took its place: a save makes a new one, or a large one longer. All zero if there is none.
 struct FileStamp {
     uint64_t number = 0, bytes = 0;  // of the file in its file system; its length
     int64_t changedNs = 0;           // when its bytes last changed

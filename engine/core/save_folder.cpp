@@ -19,6 +19,7 @@ constexpr const char* kRemovedList = ".removed";
 // No list is longer: each of its files was named in a project.json.
 constexpr uint64_t kMaxRemovedList = kMaxJsonBytes;
 constexpr double kSilentWaitSeconds = 1;
+constexpr std::string_view kSwitchEnding = ".sward-switch";  // behind the name of a file that has grown
 
 // A link in its place is none of ours: following it would move someone else's files.
 bool isOwnFolder(const fs::path& path) {
@@ -33,10 +34,21 @@ std::vector<std::string> filesUnder(const fs::path& root, std::error_code& fault
     return out;
 }
 
+// Makes the new end of a file count. One that is gone has nothing to be made of.
+Status switchGrown(const fs::path& dir, const std::string& file) {
+    const Result<fs::path> grown = resolveInside(dir, file.substr(0, file.size() - kSwitchEnding.size()));
+    if (!grown) return grown.error();
+    const Result<HeadSwitch> to = readSwitch(dir / kSaveFolder / file);
+    if (!to) return to.error();
+    std::error_code ignored;
+    return fs::is_regular_file(*grown, ignored) ? switchHead(*grown, *to) : Status();
+}
+
 Status moveIntoPlace(const fs::path& dir, const std::string& file, std::set<fs::path>& touched) {
     const Result<fs::path> target = resolveInside(dir, file);
     if (!target) return target.error();
     std::error_code fault;
+    if (file.ends_with(kSwitchEnding)) return switchGrown(dir, file);
     fs::create_directories(target->parent_path(), fault);
     fs::rename(dir / kSaveFolder / file, *target, fault);
     if (fault && fault.value() != ENOENT) return fileError("cannot be moved into place", *target, fault.value());
@@ -66,7 +78,19 @@ Error meantFor(const fs::path& place, Error fault) {
     return fault;
 }
 
-Status writeFiles(const fs::path& dir, const std::vector<SaveFile>& files, const std::vector<std::string>& removed) {
+// Makes a file grow, and writes to `place` what makes its new end count.
+Status growFile(const fs::path& dir, const SaveFile& file, const fs::path& place, std::vector<FileGrowth>& grown) {
+    Result<FileGrowth> growth = FileGrowth::begin(dir / file.path);
+    if (!growth) return growth.error();
+    const FileGrowth& added = grown.emplace_back(std::move(*growth));
+    const Result<HeadSwitch> to = file.grow(grown.back());
+    if (!to) return to.error();
+    if (Status s = added.flush(); !s) return s;
+    return writeSwitch(place.string() + std::string(kSwitchEnding), *to);
+}
+
+Status writeFiles(const fs::path& dir, const std::vector<SaveFile>& files, const std::vector<std::string>& removed,
+                  std::vector<FileGrowth>& grown) {
     const fs::path temp = dir / kSaveTempFolder;
     std::set<fs::path> folders{temp};
     std::error_code fault;
@@ -78,7 +102,8 @@ Status writeFiles(const fs::path& dir, const std::vector<SaveFile>& files, const
         if (fault) return fileError("cannot be made", (dir / file.path).parent_path(), fault.value());
         for (fs::path folder = place.parent_path(); folder != temp; folder = folder.parent_path())
             folders.insert(folder);
-        if (Status s = file.write(place); !s) return meantFor(dir / file.path, s.error());
+        const Status made = file.grow ? growFile(dir, file, place, grown) : file.write(place);
+        if (!made) return meantFor(dir / file.path, made.error());
     }
     std::string list;
     for (const std::string& path : removed) list += path + "\n";
@@ -173,15 +198,28 @@ Result<fs::path> currentFile(const fs::path& dir, const std::string& relative) {
     return saved && fs::exists(*saved, ignored) ? saved : plain;
 }
 
+std::optional<HeadSwitch> pendingSwitch(const fs::path& dir, const std::string& relative) {
+    if (!isOwnFolder(dir / kSaveFolder)) return {};
+    const Result<fs::path> saved =
+        resolveInside(dir, std::string(kSaveFolder) + "/" + relative + std::string(kSwitchEnding));
+    std::error_code ignored;
+    if (!saved || !fs::exists(*saved, ignored)) return {};
+    const Result<HeadSwitch> to = readSwitch(*saved);
+    return to ? std::optional(*to) : std::nullopt;
+}
+
 Status commitSave(const fs::path& dir, const std::vector<SaveFile>& files, const std::vector<std::string>& removed,
                   double waitSeconds) {
     const fs::path temp = dir / kSaveTempFolder;
     std::error_code fault;
     fs::remove_all(temp, fault);
     if (fault) return fileError("cannot be removed", temp, fault.value());
-    Status done = writeFiles(dir, files, removed);
+    std::vector<FileGrowth> grown;
+    Status done = writeFiles(dir, files, removed, grown);
     if (done) done = makeCurrent(dir, waitSeconds);
-    if (!done) fs::remove_all(temp, fault);
+    if (done) return done;
+    fs::remove_all(temp, fault);
+    for (FileGrowth& g : grown) g.undo();
     return done;
 }
 

@@ -1,5 +1,7 @@
 // How a project's folder changes in one instant. New files are written to `.sward-save.tmp/` and flushed; renaming
 // that folder to `.sward-save/` is the commit; then its files are moved into place and it is removed.
+// A large file may instead grow at its end before the commit (core/file_growth.h); what lies in `.sward-save/` is then
+// the one number that makes the new end count, and moving is to write it.
 // Who finds a `.sward-save/` reads through it, and finishes the moves where it may write. A `.sward-save.tmp/` is what
 // a save left behind that never came to be: the next save removes it.
 // Two locks (core/file_lock.h) keep this apart. Who saves holds the one of `.sward-saving` from before it looks at the
@@ -10,10 +12,12 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/error.h"
+#include "core/file_growth.h"
 #include "core/file_lock.h"
 
 namespace sward {
@@ -45,10 +49,15 @@ Result<FileLock> lockFolder(const std::filesystem::path& dir, LockKind kind, dou
 // Unsound error if `relative` leaves the folder (core/file.h, resolveInside).
 Result<std::filesystem::path> currentFile(const std::filesystem::path& dir, const std::string& relative);
 
-// A file to save: its path in the folder, and what writes it to a given place.
+// The number that is to make the new end of a file count, if a save that is not yet moved has made it grow.
+std::optional<HeadSwitch> pendingSwitch(const std::filesystem::path& dir, const std::string& relative);
+
+// A file to save: its path in the folder, and what writes it to a given place; or what makes the one that is there grow
+// (mayGrow says whether it can).
 struct SaveFile {
     std::string path;
     std::function<Status(const std::filesystem::path&)> write;
+    std::function<Result<HeadSwitch>(FileGrowth&)> grow = {};
 };
 // Writes all files, or none. `removed`: files to delete after the commit. The caller holds the SaveLock and has called
 // finishSave; those who read are waited for as lockFolder does. On failure the folder is as it was, and the error names

@@ -60,7 +60,7 @@ struct FitSearch {
         return static_cast<int>(found.size()) < request.candidates && (found.empty() || inTime(kSearchShare));
     }
 };
-Error stopped() { return interruption("interrupted; nothing was changed"); }
+Error fitStopped() { return interruption("interrupted; nothing was changed"); }
 
 // --- measuring one -----------------------------------------------------------------------------------------------
 struct Drawing {
@@ -73,7 +73,7 @@ Result<Drawing> drawingOf(FitSearch& s, const CostSetting& setting, const CostVi
                                 s.seen.size()),
                     std::max(static_cast<double>(s.found.size()) / std::max(1, s.request.candidates),
                              std::min(s.seconds() / s.request.seconds, 1.0))))
-        return stopped();
+        return fitStopped();
     Drawing d{snapshot(s.project, s.tables.components), from.camera, {}};
     d.view.width = s.request.cost.width, d.view.height = s.request.cost.height,
     d.view.time = s.request.cost.time + from.since;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "core/jobs.h"
 #include "core/numerics.h"
 
 namespace sward {
@@ -47,36 +48,18 @@ std::vector<T> halve(const T* in, int width, int height, int stride, int channel
     return out;
 }
 
-// Texels on their way to a part of a texture's level.
+// A tile's part of a texture's levels: its own texels, and what is filtered from them.
 template <class T>
-struct Region {
-    const T* pixels = nullptr;
-    int stride = 0;                           // texels from one row of pixels to the next
-    int x = 0, y = 0, width = 0, height = 0;  // of the level, in texels
-    int channels = 1;
+struct LevelChain {
+    TileTexels texels{nullptr, 0};  // kept for level 0, unless that is
+    std::vector<T> linear;
+    struct Level {
+        const T* pixels;
+        int stride, width, height;  // in texels
+    };
+    std::vector<Level> levels;
+    std::vector<std::vector<T>> filtered;  // of levels from 1 on
 };
-
-// Uploads the region to level 0, and what is filtered from it to the levels up to `lastLevel` that the texture has.
-// Adds what was filtered and sent to `bytes`. Returns the last level's first texel.
-template <class T>
-std::vector<T> uploadChain(const Texture& t, const Format& f, Region<T> r, int lastLevel, uint64_t& bytes) {
-    std::vector<T> held;
-    for (int l = 0;; ++l) {
-        const bool inside = r.x + r.width <= std::max(t.width >> l, 1) && r.y + r.height <= std::max(t.height >> l, 1);
-        glPixelStorei(GL_UNPACK_ROW_LENGTH, r.stride);
-        if (inside && l < t.levels)
-            glTextureSubImage2D(t.id(), l, r.x, r.y, r.width, r.height, f.layout, f.type, r.pixels);
-        bytes += static_cast<uint64_t>(r.width) * r.height * r.channels * sizeof(T);
-        if (l == lastLevel) break;
-        held = halve(r.pixels, r.width, r.height, r.stride, r.channels);
-        r.pixels = held.data();
-        r.x /= 2, r.y /= 2;
-        r.width = std::max(r.width / 2, 1), r.height = std::max(r.height / 2, 1);
-        r.stride = r.width;
-    }
-    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-    return {r.pixels, r.pixels + r.channels};
-}
 
 uint16_t decoded(uint16_t v) {
     static const std::vector<uint16_t> table = [] {
@@ -99,6 +82,39 @@ std::vector<T> decodedTile(const T* texels) {
 }
 
 constexpr int kTileLevels = 7;  // 128 = 2^7
+
+// Of a tile of which width x height texels lie in the map.
+template <class T>
+LevelChain<T> chainOf(const Tile& tile, int width, int height, int channels, bool srgb) {
+    LevelChain<T> chain;
+    chain.texels = tile.texels();
+    const T* pixels = reinterpret_cast<const T*>(chain.texels.data());
+    if constexpr (!std::is_same_v<T, uint8_t>)
+        if (srgb && channels == 4) chain.linear = decodedTile(pixels), pixels = chain.linear.data();
+    chain.levels.push_back({pixels, kTileSize, width, height});
+    for (int l = 1; l <= kTileLevels; ++l) {
+        const auto& [in, stride, w, h] = chain.levels.back();
+        chain.filtered.push_back(halve(in, w, h, stride, channels));
+        const int halfWidth = std::max(w / 2, 1), halfHeight = std::max(h / 2, 1);
+        chain.levels.push_back({chain.filtered.back().data(), halfWidth, halfWidth, halfHeight});
+    }
+    return chain;
+}
+
+// Uploads it to where the tile lies: x, y of level 0. Returns the bytes filtered and sent.
+template <class T>
+uint64_t uploadChain(const Texture& t, const Format& f, const LevelChain<T>& chain, int x, int y, int channels) {
+    uint64_t bytes = 0;
+    for (int l = 0; l <= kTileLevels; ++l, x /= 2, y /= 2) {
+        const auto& [pixels, stride, width, height] = chain.levels[static_cast<size_t>(l)];
+        const bool inside = x + width <= std::max(t.width >> l, 1) && y + height <= std::max(t.height >> l, 1);
+        glPixelStorei(GL_UNPACK_ROW_LENGTH, stride);
+        if (inside && l < t.levels) glTextureSubImage2D(t.id(), l, x, y, width, height, f.layout, f.type, pixels);
+        bytes += static_cast<uint64_t>(width) * height * channels * sizeof(T);
+    }
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+    return bytes;
+}
 
 template <class F>
 void withPixelType(PixelType type, F&& f) {
@@ -133,29 +149,35 @@ GLuint MapTextures::get(const std::string& owner, const std::string& key, const 
         return e.texture.id();
     }
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    for (int ty = 0; ty < map.tilesY(); ++ty)
+    std::vector<int> row;
+    for (int ty = 0; ty < map.tilesY(); ++ty, row.clear()) {
         for (int tx = 0; tx < map.tilesX(); ++tx)
-            if (fresh || e.last.tile(tx, ty) != map.tile(tx, ty)) uploadTile(e, srgb, map, tx, ty);
+            if (fresh || e.last.tile(tx, ty) != map.tile(tx, ty)) row.push_back(tx);
+        uploadTiles(e, srgb, map, row, ty);
+    }
     uploadCoarse(e, srgb, map);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     e.last = map;
     return e.texture.id();
 }
 
-void MapTextures::uploadTile(Entry& e, bool srgb, const Map& map, int tx, int ty) {
+// Of a row of tiles: read and filtered on all cores, sent by this thread.
+void MapTextures::uploadTiles(Entry& e, bool srgb, const Map& map, const std::vector<int>& columns, int ty) {
     const MapInfo& info = map.info();
-    const int x = tx * kTileSize, y = ty * kTileSize;
-    const int w = std::min(kTileSize, info.width - x), h = std::min(kTileSize, info.height - y);
+    const int y = ty * kTileSize, h = std::min(kTileSize, info.height - y);
     withPixelType(info.type, [&](auto zero) {
         using T = decltype(zero);
-        const T* pixels = reinterpret_cast<const T*>(map.tile(tx, ty)->bytes.data());
-        std::vector<T> linear;
-        if constexpr (!std::is_same_v<T, uint8_t>)
-            if (srgb && info.channels == 4) linear = decodedTile(pixels), pixels = linear.data();
-        const auto last = uploadChain<T>(e.texture, formatOf(info, srgb),
-                                         {pixels, kTileSize, x, y, w, h, info.channels}, kTileLevels, uploaded_);
-        std::memcpy(&e.coarse[(static_cast<size_t>(ty) * map.tilesX() + tx) * map.texelBytes()], last.data(),
-                    map.texelBytes());
+        std::vector<LevelChain<T>> chains(columns.size());
+        parallelFor(columns.size(), [&](size_t i) {
+            const int w = std::min(kTileSize, info.width - columns[i] * kTileSize);
+            chains[i] = chainOf<T>(*map.tile(columns[i], ty), w, h, info.channels, srgb);
+        });
+        for (size_t i = 0; i < columns.size(); ++i) {
+            uploaded_ +=
+                uploadChain(e.texture, formatOf(info, srgb), chains[i], columns[i] * kTileSize, y, info.channels);
+            std::memcpy(&e.coarse[(static_cast<size_t>(ty) * map.tilesX() + columns[i]) * map.texelBytes()],
+                        chains[i].levels.back().pixels, map.texelBytes());
+        }
     });
 }
 

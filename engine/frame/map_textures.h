@@ -32,7 +32,7 @@ class MapTextures {
         std::vector<std::byte> coarse;  // level 7, one texel a tile
         bool used = false, repeat = false;
     };
-    void uploadTile(Entry& e, bool srgb, const Map& map, int tx, int ty);
+    void uploadTiles(Entry& e, bool srgb, const Map& map, const std::vector<int>& columns, int ty);
     void uploadCoarse(Entry& e, bool srgb, const Map& map);
     Gpu& gpu_;
     std::map<std::string, Entry> entries_;

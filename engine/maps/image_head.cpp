@@ -39,7 +39,7 @@ Status walkPng(const std::filesystem::path& file, std::istream& in, uint64_t siz
 Result<ImageHead> pngHead(const std::filesystem::path& file, std::istream& in, const std::string& head, uint64_t size) {
     if (head.size() < 33 || head.compare(12, 4, "IHDR") != 0) return damaged(file, "is truncated");
     if (Status s = walkPng(file, in, size); !s) return s.error();
-    return ImageHead{"png", bigEndian(head.data() + 16), bigEndian(head.data() + 20), {}};
+    return ImageHead{"png", bigEndian(head.data() + 16), bigEndian(head.data() + 20), {}, {}};
 }
 
 // Attributes: name, zero, type, zero, length, value; an empty name ends them.
@@ -55,7 +55,7 @@ Result<ImageHead> exrHead(const std::filesystem::path& file, const std::string& 
             return damaged(file, "is truncated or has a damaged header");
         if (head.compare(at, nameEnd - at, "dataWindow") == 0 && length == 16) {
             const auto edge = [&](size_t i) { return int64_t(littleEndian(head.data() + value + i * 4)); };
-            return ImageHead{"exr", edge(2) - edge(0) + 1, edge(3) - edge(1) + 1, {}};
+            return ImageHead{"exr", edge(2) - edge(0) + 1, edge(3) - edge(1) + 1, {}, {}};
         }
         at = value + size_t(length);
     }
@@ -64,7 +64,7 @@ Result<ImageHead> exrHead(const std::filesystem::path& file, const std::string& 
 
 }  // namespace
 
-Result<ImageHead> readImageHead(const std::filesystem::path& file) {
+Result<ImageHead> readImageHead(const std::filesystem::path& file, std::optional<uint64_t> directory) {
     if (Status s = checkRegular(file); !s) return s.error();
     std::error_code fault;
     std::ifstream in(file, std::ios::binary);
@@ -80,7 +80,7 @@ Result<ImageHead> readImageHead(const std::filesystem::path& file) {
     if (start.starts_with("\x76\x2f\x31\x01")) return exrHead(file, head);
     if (start.starts_with(std::string_view("II*\0", 4)) || start.starts_with(std::string_view("MM\0*", 4)) ||
         start.starts_with(std::string_view("II+\0", 4)) || start.starts_with(std::string_view("MM\0+", 4)))
-        return readTiffHead(file, in, size);
+        return readTiffHead(file, in, size, directory);
     return unsound("is no PNG, EXR or TIFF image, or is damaged", "convert it to one of these").at(file);
 }
 

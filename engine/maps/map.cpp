@@ -19,7 +19,7 @@ std::shared_ptr<const Tile> zeroTile(size_t bytes) {
     static std::map<size_t, std::shared_ptr<const Tile>> tiles;
     std::lock_guard lock(mutex);
     auto& tile = tiles[bytes];
-    if (!tile) tile = std::make_shared<Tile>(Tile{std::vector<std::byte>(bytes)});
+    if (!tile) tile = std::make_shared<Tile>(std::vector<std::byte>(bytes));
     return tile;
 }
 
@@ -59,9 +59,10 @@ void eachRun(int width, size_t texel, F&& f) {
 template <class T>
 double sumOf(const Tile& tile, int channels, int c, int width, int height) {
     double total = 0;
+    const TileTexels texels = tile.texels();
     for (int y = 0; y < height; ++y) {
         std::conditional_t<std::is_floating_point_v<T>, double, uint64_t> row = 0;
-        const std::byte* p = tile.bytes.data() + size_t(y) * kTileSize * size_t(channels) * sizeof(T);
+        const std::byte* p = texels.data() + size_t(y) * kTileSize * size_t(channels) * sizeof(T);
         for (int x = 0; x < width; ++x) {
             T v;
             std::memcpy(&v, p + (size_t(x) * size_t(channels) + size_t(c)) * sizeof(T), sizeof v);
@@ -94,9 +95,9 @@ Map::Map(const MapInfo& info) : info_(info) {
 
 std::byte* Map::writeTile(int tx, int ty) {
     std::shared_ptr<const Tile>& slot = tiles_[index(tx, ty)];
-    if (slot.use_count() != 1) slot = std::make_shared<Tile>(*slot);
+    if (slot.use_count() != 1 || slot->source()) slot = std::make_shared<Tile>(*slot);
     std::atomic_thread_fence(std::memory_order_acquire);  // another thread may just have let go of the tile
-    return const_cast<Tile&>(*slot).bytes.data();         // tiles are made non-const; this one is ours alone
+    return const_cast<Tile&>(*slot).write();              // tiles are made non-const; this one is ours alone
 }
 
 float Map::at(int x, int y, int c) const {
@@ -104,8 +105,7 @@ float Map::at(int x, int y, int c) const {
     y = std::clamp(y, 0, info_.height - 1);
     const size_t texel = size_t(y % kTileSize) * kTileSize + size_t(x % kTileSize);
     const Tile& t = *tiles_[index(x / kTileSize, y / kTileSize)];
-    return readTexel(t.bytes.data() + (texel * size_t(info_.channels) + size_t(c)) * pixelBytes(info_.type),
-                     info_.type);
+    return readTexel(t.look() + (texel * size_t(info_.channels) + size_t(c)) * pixelBytes(info_.type), info_.type);
 }
 
 void Map::set(int x, int y, int c, float value) {
@@ -128,7 +128,7 @@ void Map::readRows(int y0, int rows, void* out) const {
     for (int y = y0; y < y0 + rows; ++y) {
         std::byte* row = static_cast<std::byte*>(out) + size_t(y - y0) * rowBytes;
         eachRun(info_.width, texelBytes(), [&](int tx, size_t offset, size_t bytes) {
-            const std::byte* in = tiles_[index(tx, y / kTileSize)]->bytes.data() + size_t(y % kTileSize) * tileRow;
+            const std::byte* in = tiles_[index(tx, y / kTileSize)]->look() + size_t(y % kTileSize) * tileRow;
             std::memcpy(row + offset, in, bytes);
         });
     }
@@ -152,7 +152,7 @@ uint64_t Map::hash() const {
     const size_t tileRow = size_t(kTileSize) * texelBytes();
     for (int y = 0; y < info_.height; ++y)
         eachRun(info_.width, texelBytes(), [&](int tx, size_t, size_t bytes) {
-            hasher.add(tiles_[index(tx, y / kTileSize)]->bytes.data() + size_t(y % kTileSize) * tileRow, bytes);
+            hasher.add(tiles_[index(tx, y / kTileSize)]->look() + size_t(y % kTileSize) * tileRow, bytes);
         });
     return hasher.value();
 }

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "maps/tile.h"
+
 namespace sward {
 
 inline constexpr int kTileSize = 128;
@@ -27,11 +29,6 @@ struct MapInfo {
     bool operator==(const MapInfo&) const = default;
 };
 
-// kTileSize * kTileSize texels, rows first, channels interleaved; texels beyond the map's edge are zero.
-struct Tile {
-    std::vector<std::byte> bytes;
-};
-
 class Map {
   public:
     Map() = default;
@@ -46,11 +43,12 @@ class Map {
     int tilesX() const { return (info_.width + kTileSize - 1) / kTileSize; }
     int tilesY() const { return (info_.height + kTileSize - 1) / kTileSize; }
 
-    // Identity of a tile: equal pointers mean equal texels. Zero tiles share one.
+    // Identity of a tile: equal pointers mean equal texels. Zero tiles share one. It holds kTileSize * kTileSize
+    // texels, rows first, channels interleaved; texels beyond the map's edge are zero.
     const std::shared_ptr<const Tile>& tile(int tx, int ty) const { return tiles_[index(tx, ty)]; }
     // Puts a tile of tileBytes() in place; tx in [0, tilesX()), ty in [0, tilesY()).
     void setTile(int tx, int ty, std::shared_ptr<const Tile> t) { tiles_[index(tx, ty)] = std::move(t); }
-    // The tile's bytes to write to; copies the tile first if anyone else holds it.
+    // The tile's bytes to write to; copies the tile first if anyone else has it, or it lies in a file.
     std::byte* writeTile(int tx, int ty);
     // Bytes of a whole tile, and of one texel.
     size_t tileBytes() const { return size_t(kTileSize) * kTileSize * texelBytes(); }

@@ -9,6 +9,7 @@
 #include "core/json.h"
 #include "maps/image_file.h"
 #include "maps/map_repair.h"
+#include "maps/tile_file.h"
 
 namespace fs = std::filesystem;
 
@@ -82,6 +83,23 @@ Result<Map> readPixels(const fs::path& file, const MapWish& wish, std::optional<
         writeFlipped(map, y, n, own.channels != info.channels ? widened.data() : band.data(), wish.flip);
     }
     return map;
+}
+
+// The tiles of a file of a large map that a wish takes as they are.
+std::optional<PlainTiles> tilesToOpen(const fs::path& file, const MapWish& wish) {
+    if (!wish.mayStay || wish.flip || extensionOf(file) != ".tif") return {};
+    Result<ImageHead> head = readImageHead(file, wish.directory);
+    if (!head || !head->tiles) return {};
+    const MapInfo& info = head->tiles->info;
+    const bool asItIs = keptInTiles(info) && (!wish.type || *wish.type == info.type) &&
+                        (wish.channels == 0 || wish.channels == info.channels);
+    return asItIs ? std::move(head->tiles) : std::nullopt;
+}
+
+Result<Map> openLarge(const fs::path& file, const PlainTiles& tiles, const MapWish& wish) {
+    if (Status s = checkWish(file, tiles.info, wish); !s) return s.error();
+    if (Status s = checkMapLimits(file, tiles.info); !s) return s.error();
+    return openTiles(file, tiles);
 }
 
 // --- R16 ---------------------------------------------------------------------------------------------------------
@@ -244,6 +262,20 @@ std::function<void(int, int, void*)> rowsOf(const Map& map, bool flip) {
     };
 }
 
+Status writeInTiles(const fs::path& file, const Map& map) {
+    const fs::path part = partPath(file);
+    std::error_code fault;
+    if (Status s = writeTiles(part, map); !s) {
+        fs::remove(part, fault);
+        Error e = s.error();
+        if (e.file == part.string()) e.file = file.string();
+        return e;
+    }
+    fs::rename(part, file, fault);
+    if (fault) return fileError("cannot be written", file, fault.value());
+    return syncPath(file.has_parent_path() ? file.parent_path() : fs::path("."));
+}
+
 Status writeBytes(const fs::path& file, const Result<std::string>& bytes) {
     if (bytes) return writeFileAtomic(file, *bytes);
     Error e = bytes.error();
@@ -262,6 +294,7 @@ Status writePlain(const fs::path& file, const char* format, const MapInfo& info,
 }  // namespace
 
 Result<Map> readMap(const fs::path& file, const MapWish& wish, std::vector<std::string>* repaired) {
+    if (const auto tiles = tilesToOpen(file, wish)) return openLarge(file, *tiles, wish);
     ValueRange range = wish.range;
     ValueRange stated;  // by an R16's sidecar
     std::optional<double> noData;
@@ -287,7 +320,9 @@ Status writeMap(const fs::path& file, const Map& map, bool flip, const ValueRang
     const std::string ext = extensionOf(file);
     const Result<Map> fitting = mapForFormat(file, ext, map, range);
     if (!fitting) return fitting.error();
+    if (ext == ".tif" && keptInTiles(fitting->info()) && !flip) return writeInTiles(file, *fitting);
     const auto rows = rowsOf(*fitting, flip);
+    if (Status s = checkTiles(map); !s) return failed(s.error().message, s.error().remedy).at(s.error().file);
     if (ext != ".r16") return writeBytes(file, encodeImage(ext.substr(1), fitting->info(), rows));
     if (Status s = writeSidecar(file, fitting->info(), range); !s) return s;
     return writeFileAtomic(file, r16Bytes(*fitting, rows));

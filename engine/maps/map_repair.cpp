@@ -82,11 +82,12 @@ bool repairChannel(Map& map, const Map& old, int c) {
 
 bool tileFinite(const Tile& tile) {
     // An exponent of all ones is NaN or infinity: a test on bits needs no branch and vectorises.
-    const size_t n = tile.bytes.size() / sizeof(uint32_t);
+    const TileTexels texels = tile.texels();
+    const size_t n = texels.size() / sizeof(uint32_t);
     uint32_t bad = 0;
     for (size_t i = 0; i < n; ++i) {
         uint32_t bits;
-        std::memcpy(&bits, tile.bytes.data() + i * sizeof bits, sizeof bits);
+        std::memcpy(&bits, texels.data() + i * sizeof bits, sizeof bits);
         bad |= static_cast<uint32_t>((bits & 0x7f800000u) == 0x7f800000u);
     }
     return bad == 0;

@@ -60,7 +60,7 @@ Status importMap(Project& p, std::span<const ComponentRow> rows, const std::stri
     if (!texels) return texels.error();
     if (Status s = setHeightRange(*map, used, texels->info().type); !s) return s;
     auto& field = *static_cast<MapField*>(map->value);
-    field.file = mapFileFor(*map, texels->info().type);
+    field.file = mapFileFor(*map, texels->info());
     field.map = std::move(*texels);
     p.imports[map->path] = used;
     return {};

@@ -58,7 +58,7 @@ Map packed(const MapField& density, const MapField& bladeHeight) {
 
 void put(Project& p, const FieldRef& field, Map map, const std::filesystem::path& file, bool flip) {
     MapField& to = *static_cast<MapField*>(field.value);
-    to.file = mapFileFor(field, map.info().type);
+    to.file = mapFileFor(field, map.info());
     to.map = std::move(map);
     p.imports[field.path] = {utf8Text(file.filename().string()), flip, {}};
 }

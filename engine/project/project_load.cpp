@@ -6,6 +6,7 @@
 #include "core/save_folder.h"
 #include "core/utf8.h"
 #include "maps/map_io.h"
+#include "maps/tile_file.h"
 #include "mesh/mesh_io.h"
 #include "project/project_files.h"
 #include "project/project_json.h"
@@ -96,6 +97,8 @@ void readOne(const Loading& l, MapLoad& load) {
     }
     const Result<fs::path> file = currentFile(l.dir, load.file);
     if (file) load.stamp = stampOf(*file);
+    load.wish.mayStay = true;
+    if (const auto grown = pendingSwitch(l.dir, load.file)) load.wish.directory = grown->after;
     load.map = file ? readMap(*file, load.wish, &load.repaired) : Result<Map>(file.error());
 }
 
@@ -159,6 +162,20 @@ void checkFiles(Loading& l) {
     }
 }
 
+// Large maps are opened, not read; here they are, once a file.
+void checkTexels(Loading& l) {
+    std::set<std::string> seen;
+    for (const ConstFieldRef& f : allMaps(std::as_const(l.reader.project), l.reader.rows)) {
+        const auto& field = *static_cast<const MapField*>(f.value);
+        if (!seen.insert(field.file).second) continue;
+        const Status s = checkTiles(field.map);
+        if (s) continue;
+        Error e = s.error();
+        e.message = f.path + ": " + e.message;
+        l.reader.refused.push_back(std::move(e));
+    }
+}
+
 // `everything`: goes on to the maps when project.json has faults.
 Loading load(const fs::path& given, std::span<const ComponentRow> rows, bool everything,
              JobControl* control = nullptr) {
@@ -210,6 +227,7 @@ Result<Project> loadProject(const fs::path& dir, std::span<const ComponentRow> r
 
 CheckReport checkProject(const fs::path& dir, std::span<const ComponentRow> rows) {
     Loading l = load(dir, rows, true);
+    checkTexels(l);
     CheckReport report{std::move(l.reader.refused), std::move(l.reader.repaired), {}};
     if (l.soundJson) checkScene({l.reader.project, rows, l.root}, report);
     return report;

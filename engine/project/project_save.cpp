@@ -3,6 +3,7 @@
 #include "core/log.h"
 #include "core/save_folder.h"
 #include "maps/map_io.h"
+#include "maps/tile_file.h"
 #include "mesh/mesh_io.h"
 #include "project/project_files.h"
 #include "project/project_json.h"
@@ -29,12 +30,12 @@ std::vector<PlannedMap> planMaps(const Project& p, Rows rows) {
     std::map<std::string, const Map*> taken;
     for (const ConstFieldRef& f : allMaps(p, rows)) {
         const auto& field = *static_cast<const MapField*>(f.value);
-        std::string file = mapFileFor(f, field.map.info().type);
+        std::string file = mapFileFor(f, field.map.info());
         for (int n = 2; taken.contains(file) && !taken[file]->sameTiles(field.map); ++n) {
             MapField unnamed;
             ConstFieldRef fresh = f;
             fresh.value = &unnamed;
-            fs::path own = mapFileFor(fresh, field.map.info().type);
+            fs::path own = mapFileFor(fresh, field.map.info());
             if (n > 2) own.replace_filename(fmt::format("{}-{}{}", own.stem().string(), n, own.extension().string()));
             file = own.generic_string();
         }
@@ -48,14 +49,16 @@ bool equalTexels(const Map& a, const Map& b) {
     if (!(a.info() == b.info())) return false;
     for (int y = 0; y < a.tilesY(); ++y)
         for (int x = 0; x < a.tilesX(); ++x)
-            if (a.tile(x, y) != b.tile(x, y) && a.tile(x, y)->bytes != b.tile(x, y)->bytes) return false;
+            if (!sameTexels(*a.tile(x, y), *b.tile(x, y))) return false;
     return true;
 }
 
 // True if the file holds these texels and reading it needs no repair.
 bool fileHolds(const fs::path& file, const PlannedMap& planned) {
     std::vector<std::string> repaired;
-    const Result<Map> map = readMap(file, mapWish(*planned.field.row), &repaired);
+    MapWish wish = mapWish(*planned.field.row);
+    wish.mayStay = true;
+    const Result<Map> map = readMap(file, wish, &repaired);
     const bool oneTexel = planned.map->info().width == 1 && planned.map->info().height == 1;
     return map && repaired.size() == (oneTexel ? 1u : 0u) && equalTexels(*map, *planned.map);
 }
@@ -97,14 +100,39 @@ bool isKnown(const Saving& s, const std::string& name) {
     return it != s.known.end() && it->second == stampNow(s.p, name);
 }
 
+// What its file is known to hold; null if that must be looked up in the file.
+const Map* knownOnDisk(const Saving& s, const PlannedMap& planned) {
+    if (s.p.repairedMaps.contains(planned.file) || !isKnown(s, planned.file)) return nullptr;
+    for (const PlannedMap& before : s.savedPlan)
+        if (before.file == planned.file) return before.map;
+    return nullptr;
+}
+
 bool mapChanged(const Saving& s, const PlannedMap& planned) {
     const fs::path file = s.p.dir / planned.file;
     std::error_code ignored;
     if (!fs::is_regular_file(file, ignored)) return true;
-    if (!s.p.repairedMaps.contains(planned.file) && isKnown(s, planned.file))
-        for (const PlannedMap& before : s.savedPlan)
-            if (before.file == planned.file) return !equalTexels(*before.map, *planned.map);
-    return !fileHolds(file, planned);
+    const Map* before = knownOnDisk(s, planned);
+    return before ? !equalTexels(*before, *planned.map) : !fileHolds(file, planned);
+}
+
+// A large map of which little changed makes its file grow; all else is written anew.
+SaveFile fileOf(Saving& s, const PlannedMap& planned) {
+    const auto goOn = [&s](const Status& written) {
+        return s.goOn(s.plan.size() + s.files.size()) ? written : Status(cancelledSave(s));
+    };
+    SaveFile out{planned.file, [goOn, map = planned.map](const fs::path& to) { return goOn(writeMap(to, *map)); }};
+    const fs::path file = s.p.dir / planned.file;
+    const Map* before = knownOnDisk(s, planned);
+    if (!before || !worthGrowing(file, *before, *planned.map)) return out;
+    out.grow = [goOn, file, before, map = planned.map](FileGrowth& growth) -> Result<HeadSwitch> {
+        const std::optional<PlainTiles> tiles = tilesOf(file, map->info());
+        if (!tiles) return failed("was changed by another program while it was saved", "save again").at(file);
+        const Result<HeadSwitch> grown = growTiles(growth, *tiles, *before, *map);
+        const Status done = goOn(grown ? Status() : Status(grown.error()));
+        return done ? grown : Result<HeadSwitch>(done.error());
+    };
+    return out;
 }
 
 Status checkMap(const PlannedMap& planned) {
@@ -133,10 +161,7 @@ Status addMaps(Saving& s) {
         const auto same = [&](const SaveFile& f) { return f.path == planned.file; };
         if (std::any_of(s.files.begin(), s.files.end(), same) || !mapChanged(s, planned)) continue;
         if (const auto place = resolveInside(s.p.dir, planned.file); !place) return place.error();
-        s.files.push_back({planned.file, [&s, map = planned.map](const fs::path& to) -> Status {
-                               const Status written = writeMap(to, *map);
-                               return s.goOn(s.plan.size() + s.files.size()) ? written : Status(cancelledSave(s));
-                           }});
+        s.files.push_back(fileOf(s, planned));
     }
     return {};
 }

@@ -109,9 +109,10 @@ std::vector<FieldRef> allMaps(Project& p, std::span<const ComponentRow> rows, bo
 std::vector<ConstFieldRef> allMaps(const Project& p, std::span<const ComponentRow> rows, bool absentToo = false);
 // All fields that name a file (FieldRow::isFile: images and objects) and are not empty.
 std::vector<ConstFieldRef> allFiles(const Project& p, std::span<const ComponentRow> rows);
-// Where a map is saved that has no file yet or whose file's format cannot hold `type`: "maps/entity.species.map.ext",
-// ext png, or exr for F32. Keeps the folder and stem of the file it has.
-std::string mapFileFor(const ConstFieldRef& map, PixelType type);
+// Where texels of a map are saved that has no file yet or whose file's format cannot hold them:
+// "maps/entity.species.map.ext", ext png, exr for F32, or tif where they are kept in tiles (maps/tile_file.h); a large
+// PNG stays one. Keeps the folder and stem of the file it has.
+std::string mapFileFor(const ConstFieldRef& map, const MapInfo& texels);
 // As text: numbers in shortest form, vectors and colours as "[1, 2]", bool, enum by name, strings plain.
 std::string fieldText(const ConstFieldRef& f);
 // Parses and range-checks against the hard range (Usage error naming the range, old value kept). Lists cannot be set;

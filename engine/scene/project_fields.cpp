@@ -2,6 +2,7 @@
 #include <cstring>
 #include <functional>
 
+#include "maps/tile_file.h"
 #include "scene/moved_fields.h"
 #include "scene/project.h"
 
@@ -236,13 +237,14 @@ Result<ConstFieldRef> findMap(const Project& p, std::span<const ComponentRow> ro
     return mapIn(p, rows, name);
 }
 
-std::string mapFileFor(const ConstFieldRef& map, PixelType type) {
+std::string mapFileFor(const ConstFieldRef& map, const MapInfo& texels) {
     CHECK(map.row->type == FieldType::Map);
     const auto& field = *static_cast<const MapField*>(map.value);
-    const std::string ext = type == PixelType::F32 ? ".exr" : ".png";
+    const std::string ext = keptInTiles(texels) ? ".tif" : texels.type == PixelType::F32 ? ".exr" : ".png";
     if (!field.file.empty()) {
         const std::string old = std::filesystem::path(field.file).extension().string();
-        const bool fits = old == ".tif" || old == ".tiff" || old == ext;
+        const bool asBefore = field.map.info() == texels && old == ".png" && texels.type != PixelType::F32;
+        const bool fits = old == ".tif" || old == ".tiff" || old == ext || asBefore;
         return fits ? field.file : std::filesystem::path(field.file).replace_extension(ext).generic_string();
     }
     // entity.Component.list[element].field -> entity.element.field

@@ -64,7 +64,7 @@ class CellHeights {
 
   private:
     float texel(int x, int y) const {
-        const std::byte* tile = map_.tile(x / kTileSize, y / kTileSize)->bytes.data();
+        const std::byte* tile = map_.tile(x / kTileSize, y / kTileSize)->look();
         const size_t i = size_t(y % kTileSize) * kTileSize + size_t(x % kTileSize);
         switch (map_.info().type) {
             case PixelType::U8:

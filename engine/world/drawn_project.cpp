@@ -224,7 +224,7 @@ void layPaths(LaidMap& laid, const Map& was, bool fresh, const PathEffect& effec
 // Puts what is drawn in the place of what is painted.
 void putDrawn(const LaidMap& laid, const Terrain& t, const FieldRef& map) {
     MapField& field = *static_cast<MapField*>(map.value);
-    if (field.file.empty()) field.file = mapFileFor(map, laid.drawn.info().type);
+    if (field.file.empty()) field.file = mapFileFor(map, laid.drawn.info());
     field.map = laid.drawn;
     *static_cast<float*>(fieldBeside(map, *map.row->map->tiling).value) = wholeTiling(t);
 }

@@ -119,13 +119,14 @@ struct Bounds {
 template <class T>
 std::pair<T, T> boundsOf(const Map& m, std::pair<int, int> xs, std::pair<int, int> ys) {
     Bounds<T> bounds;
-    for (int y = ys.first; y <= ys.second; ++y)
-        for (int x = xs.first; x <= xs.second;) {
-            const T* in = reinterpret_cast<const T*>(m.tile(x / kTileSize, y / kTileSize)->bytes.data()) +
-                          y % kTileSize * kTileSize + x % kTileSize;
-            const int run = std::min(kTileSize - x % kTileSize, xs.second + 1 - x);
-            bounds.add(in, run);
-            x += run;
+    for (int ty = ys.first / kTileSize; ty <= ys.second / kTileSize; ++ty)
+        for (int tx = xs.first / kTileSize; tx <= xs.second / kTileSize; ++tx) {
+            const TileTexels texels = m.tile(tx, ty)->texels();
+            const T* in = reinterpret_cast<const T*>(texels.data());
+            const int left = tx * kTileSize, top = ty * kTileSize;
+            const int x0 = std::max(xs.first - left, 0), x1 = std::min(xs.second + 1 - left, kTileSize),
+                      y1 = std::min(ys.second + 1 - top, kTileSize);
+            for (int y = std::max(ys.first - top, 0); y < y1; ++y) bounds.add(in + y * kTileSize + x0, x1 - x0);
         }
     return bounds.all();
 }

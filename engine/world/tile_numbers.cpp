@@ -10,14 +10,15 @@ namespace {
 
 template <class T>
 void readTexels(const Tile& tile, float most, Numbers& out) {
-    const T* in = reinterpret_cast<const T*>(tile.bytes.data());
-    for (size_t i = 0; i < tile.bytes.size() / sizeof(T); ++i) out[i] = static_cast<float>(in[i]) / most;
+    const TileTexels texels = tile.texels();
+    const T* in = reinterpret_cast<const T*>(texels.data());
+    for (size_t i = 0; i < texels.size() / sizeof(T); ++i) out[i] = static_cast<float>(in[i]) / most;
 }
 
 template <class T>
 void writeTexels(const Numbers& in, size_t width, int height, float most, Tile& tile) {
-    T* out = reinterpret_cast<T*>(tile.bytes.data());
-    const size_t row = tile.bytes.size() / sizeof(T) / kTileSize;
+    T* out = reinterpret_cast<T*>(tile.write());
+    const size_t row = tile.heldBytes() / sizeof(T) / kTileSize;
     for (size_t y = 0; y < static_cast<size_t>(height); ++y)
         for (size_t i = y * row; i < y * row + width; ++i) {
             const float unit = in[i] > 0 ? std::min(in[i], 1.0f) : 0.0f;
@@ -26,9 +27,9 @@ void writeTexels(const Numbers& in, size_t width, int height, float most, Tile& 
 }
 
 void copyTexels(const Numbers& in, size_t width, int height, Tile& tile) {
-    const size_t row = tile.bytes.size() / sizeof(float) / kTileSize;
+    const size_t row = tile.heldBytes() / sizeof(float) / kTileSize;
     for (size_t y = 0; y < static_cast<size_t>(height); ++y)
-        std::memcpy(tile.bytes.data() + y * row * sizeof(float), &in[y * row], width * sizeof(float));
+        std::memcpy(tile.write() + y * row * sizeof(float), &in[y * row], width * sizeof(float));
 }
 
 bool meet(const MapBox& a, const MapBox& b) { return a.x0 <= b.x1 && b.x0 <= a.x1 && a.z0 <= b.z1 && b.z0 <= a.z1; }
@@ -50,17 +51,18 @@ MapBox boxOf(const MapInfo& info, const Texels& t, double margin) {
 // The smallest rectangle in which two tiles of a map differ; empty (x0 = x1) if they do not.
 Texels differing(const Map& map, int tx, int ty, const Tile& a, const Tile& b) {
     const size_t texel = map.texelBytes(), row = texel * kTileSize;
-    const auto at = [&](const Tile& t, int y) { return t.bytes.data() + static_cast<size_t>(y) * row; };
+    const TileTexels ofA = a.texels(), ofB = b.texels();
+    const auto at = [&](const TileTexels& t, int y) { return t.data() + static_cast<size_t>(y) * row; };
     Texels out{kTileSize, kTileSize, 0, 0};
     for (int y = 0; y < kTileSize; ++y) {
-        if (std::equal(at(a, y), at(a, y) + row, at(b, y))) continue;
+        if (std::equal(at(ofA, y), at(ofA, y) + row, at(ofB, y))) continue;
         out.y0 = std::min(out.y0, y), out.y1 = y + 1;
-        const auto first = std::mismatch(at(a, y), at(a, y) + row, at(b, y)).first - at(a, y);
+        const auto first = std::mismatch(at(ofA, y), at(ofA, y) + row, at(ofB, y)).first - at(ofA, y);
         const auto last =
-            std::mismatch(std::make_reverse_iterator(at(a, y) + row), std::make_reverse_iterator(at(a, y)),
-                          std::make_reverse_iterator(at(b, y) + row))
+            std::mismatch(std::make_reverse_iterator(at(ofA, y) + row), std::make_reverse_iterator(at(ofA, y)),
+                          std::make_reverse_iterator(at(ofB, y) + row))
                 .first.base() -
-            at(a, y);
+            at(ofA, y);
         out.x0 = std::min(out.x0, static_cast<int>(static_cast<size_t>(first) / texel));
         out.x1 = std::max(out.x1, static_cast<int>((static_cast<size_t>(last) + texel - 1) / texel));
     }
@@ -85,7 +87,7 @@ void readTile(const Map& map, int tx, int ty, Numbers& out) {
 
 std::shared_ptr<const Tile> makeTile(const Map& map, int tx, int ty, const Numbers& numbers, NumberRange range) {
     const MapInfo& info = map.info();
-    auto made = std::make_shared<Tile>(Tile{std::vector<std::byte>(map.tileBytes())});
+    auto made = std::make_shared<Tile>(std::vector<std::byte>(map.tileBytes()));
     const int h = std::min(kTileSize, info.height - ty * kTileSize);
     const size_t w = static_cast<size_t>(std::min(kTileSize, info.width - tx * kTileSize) * info.channels);  // numbers
     switch (info.type) {
@@ -103,7 +105,7 @@ std::shared_ptr<const Tile> makeTile(const Map& map, int tx, int ty, const Numbe
             break;
     }
     const std::shared_ptr<const Tile>& before = map.tile(tx, ty);
-    return made->bytes == before->bytes ? before : std::shared_ptr<const Tile>(std::move(made));
+    return sameTexels(*made, *before) ? before : std::shared_ptr<const Tile>(std::move(made));
 }
 
 std::vector<MapBox> changedBoxes(const Map& before, const Map& now) {

@@ -22,6 +22,27 @@ inline Map patternMap(const MapInfo& info) {
     return map;
 }
 
+// A map of 17 million texels of 8 bits, which is kept in tiles: zero but for its first and last rows of tiles.
+inline Map largeMap() {
+    Map map({4224, 4096, 1, PixelType::U8});
+    std::vector<uint8_t> row(4224);
+    for (int y = 0; y < 4096; y = y == 127 ? 4096 - 128 : y + 1) {
+        for (size_t x = 0; x < row.size(); ++x) row[x] = static_cast<uint8_t>((x * 7 + size_t(y) * 13) % 251 + 1);
+        map.writeRows(y, 1, row.data());
+    }
+    return map;
+}
+// The same size, and no two tiles alike.
+inline Map fullMap() {
+    Map map({4224, 4096, 1, PixelType::U8});
+    std::vector<uint8_t> row(4224);
+    for (int y = 0; y < 4096; ++y) {
+        for (size_t x = 0; x < row.size(); ++x) row[x] = static_cast<uint8_t>((x * 7 + size_t(y) * 13) % 251 + 1);
+        map.writeRows(y, 1, row.data());
+    }
+    return map;
+}
+
 // Bytes of numbers, for headers made by hand.
 inline std::string bigEndian32(uint32_t v) { return {char(v >> 24), char(v >> 16), char(v >> 8), char(v)}; }
 inline std::string littleEndian32(uint32_t v) { return {char(v), char(v >> 8), char(v >> 16), char(v >> 24)}; }

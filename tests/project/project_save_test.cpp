@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include <set>
+
+#include "core/jobs.h"
 #include "core/save_folder.h"
 #include "fields.h"
 #include "maps/map_io.h"
@@ -65,7 +68,143 @@ const ChildFunctionRow kSaveWithLimit("save-with-limit", [](const std::vector<st
     return p.name == "b" && p.registry.get<Terrain>(findEntity(p, "ground"))->height.present() ? saved.error().text()
                                                                                                : "memory changed";
 });
+
+// A project whose density map is so large that its file grows; state b has another texel and another name.
+Project largeState(const fs::path& dir, const Map& density, bool b) {
+    Project p;
+    p.dir = dir;
+    p.name = b ? "b" : "a";
+    GrassField field;
+    field.species[0].density = {"maps/lawn.grass.density.tif", density};
+    if (b) field.species[0].density.map.set(200, 300, 0, 0.5f);
+    p.registry.add<GrassField>(*addEntity(p, "lawn"), std::move(field));
+    return p;
+}
+const Map& densityOf(const Project& p) {
+    return p.registry.get<GrassField>(findEntity(p, "lawn"))->species[0].density.map;
+}
+// Empty if it opens as state a or b; else what is wrong. `a`: hash of state a's texels.
+std::string largeFault(const fs::path& dir, uint64_t a) {
+    const Result<Project> p = loadProject(dir, rows());
+    if (!p) return p.error().text();
+    return (p->name == "a") == (densityOf(*p).hash() == a) ? p->name : "mixed: named " + p->name;
+}
+const ChildFunctionRow kLoadLarge("load-large-unprivileged", [](const std::vector<std::string>& args) -> std::string {
+    return dropPrivileges() ? largeFault(args.at(0), std::stoull(args.at(1))) : "cannot drop privileges";
+});
+// Saves states a and b in turn, by growing, until it is killed; writes a byte once it begins.
+const ChildFunctionRow kGrowInTurn("grow-in-turn", [](const std::vector<std::string>& args) -> std::string {
+    Result<Project> known = loadProject(args.at(0), rows());
+    if (!known) return known.error().text();
+    const float asInA = fullMap().at(200, 300);
+    if (write(STDOUT_FILENO, ".", 1) != 1) return "nobody listens";
+    for (;;) {
+        const bool b = known->name == "a";
+        Project next = largeState(args.at(0), densityOf(*known), b);
+        if (!b) next.registry.get<GrassField>(findEntity(next, "lawn"))->species[0].density.map.set(200, 300, 0, asInA);
+        next.stamps = known->stamps;
+        SaveWay way;
+        std::map<std::string, FileStamp> stamps;
+        way.stamps = &stamps;
+        if (const auto saved = saveProject(next, rows(), &*known, way); !saved) return saved.error().text();
+        next.stamps = stamps;
+        known = std::move(next);
+    }
+});
 }  // namespace
+
+TEST(Saving, ThirtyKillsWhileALargeMapGrowsLeaveOneStateOrTheOther) {
+    TempDir dir;
+    ASSERT_TRUE(saveProject(largeState(dir / "p", fullMap(), false), rows()));
+    const uint64_t bytes = fs::file_size(dir / "p/maps/lawn.grass.density.tif"), hashA = fullMap().hash();
+    std::mt19937 random(1);
+    std::set<std::string> seen;
+    for (int i = 0; i < 30; ++i) {
+        const Child child = startChild("grow-in-turn", {(dir / "p").string()});
+        char begun = 0;
+        ASSERT_EQ(read(child.output, &begun, 1), 1);
+        std::this_thread::sleep_for(std::chrono::microseconds(random() % 40'000));
+        kill(child.pid, SIGKILL);
+        EXPECT_EQ(finishChild(child), "the child crashed") << "it could not save";
+        seen.insert(largeFault(dir / "p", hashA));
+    }
+    EXPECT_EQ(seen, (std::set<std::string>{"a", "b"}));
+    EXPECT_GT(fs::file_size(dir / "p/maps/lawn.grass.density.tif"), bytes) << "nothing grew";
+}
+
+TEST(Saving, ALargeMapsFileGrowsByWhatChanged) {
+    TempDir dir;
+    const fs::path file = dir / "p/maps/lawn.grass.density.tif";
+    ASSERT_TRUE(saveProject(largeState(dir / "p", fullMap(), false), rows()));
+    const Result<Project> a = loadProject(dir / "p", rows());
+    ASSERT_TRUE(a);
+    const FileStamp before = stampOf(file);
+    Project b = largeState(dir / "p", densityOf(*a), true);
+    b.stamps = a->stamps;
+    const auto saved = saveProject(b, rows(), &*a);
+    ASSERT_TRUE(saved) << saved.error().text();
+    EXPECT_EQ(*saved, (std::vector<std::string>{"maps/lawn.grass.density.tif", "project.json"}));
+    const FileStamp after = stampOf(file);
+    EXPECT_EQ(after.number, before.number) << "another file took its place";
+    EXPECT_GT(after.bytes, before.bytes);
+    EXPECT_LT(after.bytes, before.bytes + 32768);
+    EXPECT_FALSE(fs::exists(dir / "p/.sward-save"));
+    EXPECT_EQ(densityOf(*loadProject(dir / "p", rows())).hash(), densityOf(b).hash());
+    EXPECT_EQ(densityOf(*a).hash(), fullMap().hash()) << "what was loaded before is as it was";
+    EXPECT_TRUE(checkProject(dir / "p", rows()).refused.empty());
+    EXPECT_TRUE(saveProject(b, rows(), &b)->empty()) << "nothing changed since";
+}
+
+TEST(Saving, AFileThatHasGrownCountsFromTheCommitOn) {
+    TempDir dir;
+    const std::string name = "maps/lawn.grass.density.tif", pending = ".sward-save/" + name + ".sward-switch";
+    ASSERT_TRUE(saveProject(largeState(dir / "p", fullMap(), false), rows()));
+    const Result<Project> a = loadProject(dir / "p", rows());
+    const uint64_t hashA = fullMap().hash();
+    const std::string head = readText(dir / "p" / name).substr(0, 8), jsonA = readText(dir / "p/project.json");
+    ASSERT_TRUE(saveProject(largeState(dir / "p", densityOf(*a), true), rows(), &*a));
+    const std::string grown = readText(dir / "p" / name), jsonB = readText(dir / "p/project.json");
+    // As a kill before the commit leaves it: the end is there and nothing refers to it.
+    const std::string uncommitted = head + grown.substr(8);
+    writeText(dir / "p" / name, uncommitted), writeText(dir / "p/project.json", jsonA);
+    EXPECT_EQ(largeFault(dir / "p", hashA), "a");
+    // And as one between the commit and the moves leaves it.
+    const auto number = [](const std::string& h) {
+        return unsigned(uint8_t(h[4])) | unsigned(uint8_t(h[5])) << 8 | unsigned(uint8_t(h[6])) << 16 |
+               unsigned(uint8_t(h[7])) << 24;
+    };
+    writeText(dir / "p" / pending,
+              fmt::format(R"({{"at": 4, "before": {}, "after": {}}})", number(head), number(grown.substr(0, 8))));
+    writeText(dir / "p/.sward-save/project.json", jsonB);
+    makeReadOnly(dir / "p");
+    EXPECT_EQ(runChild("load-large-unprivileged", {(dir / "p").string(), std::to_string(hashA)}), "b")
+        << "read through where nothing may be written";
+    makeWritable(dir / "p");
+    EXPECT_EQ(largeFault(dir / "p", hashA), "b");
+    EXPECT_EQ(readText(dir / "p" / name), grown) << "the reader finished the save";
+    EXPECT_FALSE(fs::exists(dir / "p/.sward-save"));
+}
+
+TEST(Saving, AFailedSaveTakesBackWhatItAddedToALargeMap) {
+    TempDir dir;
+    const fs::path file = dir / "p/maps/lawn.grass.density.tif";
+    ASSERT_TRUE(saveProject(largeState(dir / "p", fullMap(), false), rows()));
+    const Result<Project> a = loadProject(dir / "p", rows());
+    const FileStamp before = stampOf(file);
+    Project b = largeState(dir / "p", densityOf(*a), true);
+    JobControl control;
+    control.cancel();
+    EXPECT_FALSE(saveProject(b, rows(), &*a, {}, &control));
+    EXPECT_TRUE(stampOf(file) == before);
+    // The other map of the same save cannot be written.
+    auto& field = *b.registry.get<GrassField>(findEntity(b, "lawn"));
+    field.vegetation = {"maps/z\0.png", Map({32, 32, 4, PixelType::U8})};
+    field.vegetation.file = "maps/" + std::string(300, 'z') + ".png";
+    const auto saved = saveProject(b, rows(), &*a);
+    ASSERT_FALSE(saved);
+    EXPECT_TRUE(stampOf(file) == before) << "nothing is left of it, and its time is as before";
+    EXPECT_EQ(largeFault(dir / "p", fullMap().hash()), "a");
+}
 
 TEST(Saving, FiftyKillsLeaveOneStateOrTheOther) {
     TempDir dir;

@@ -108,14 +108,17 @@ TEST(Maps, AreFoundByAnyTailThatMeansOne) {
 
 TEST(Maps, FilesAreNamedAfterEntitySpeciesAndMap) {
     Project p = fieldsMeadow();
-    EXPECT_EQ(mapFileFor(*findMap(p, rows(), "[weeds].density"), PixelType::U16), "maps/meadow.weeds.density.png");
-    EXPECT_EQ(mapFileFor(*findMap(p, rows(), "height"), PixelType::F32), "maps/ground.height.exr");
+    EXPECT_EQ(mapFileFor(*findMap(p, rows(), "[weeds].density"), {1, 1, 1, PixelType::U16}),
+              "maps/meadow.weeds.density.png");
+    EXPECT_EQ(mapFileFor(*findMap(p, rows(), "height"), {1, 1, 1, PixelType::F32}), "maps/ground.height.exr");
     grassOf(p).species[1].name = "../../etc x";
-    EXPECT_EQ(mapFileFor(*findMap(p, rows(), "species[1].density"), PixelType::U16), "maps/meadow.1.density.png");
+    EXPECT_EQ(mapFileFor(*findMap(p, rows(), "species[1].density"), {1, 1, 1, PixelType::U16}),
+              "maps/meadow.1.density.png");
     p.registry.get<Terrain>(findEntity(p, "ground"))->height.file = "maps/dem.tif";
-    EXPECT_EQ(mapFileFor(*findMap(p, rows(), "height"), PixelType::F32), "maps/dem.tif");
+    EXPECT_EQ(mapFileFor(*findMap(p, rows(), "height"), {1, 1, 1, PixelType::F32}), "maps/dem.tif");
     p.registry.get<Terrain>(findEntity(p, "ground"))->height.file = "maps/dem.png";
-    EXPECT_EQ(mapFileFor(*findMap(p, rows(), "height"), PixelType::F32), "maps/dem.exr") << "PNG holds no floats";
+    EXPECT_EQ(mapFileFor(*findMap(p, rows(), "height"), {1, 1, 1, PixelType::F32}), "maps/dem.exr")
+        << "PNG holds no floats";
 }
 
 TEST(Snapshots, ShareTilesAndNothingElse) {

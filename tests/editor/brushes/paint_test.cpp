@@ -48,7 +48,7 @@ TEST(Paint, NothingIsPaintedOutsideTheRadiusNorBeyondTheEdgeOfTheMap) {
                 EXPECT_LT(dx * dx + dy * dy, 1.0) << row.name;
             }
         EXPECT_GT(changed, 500) << row.name;
-        const auto* texels = reinterpret_cast<const uint16_t*>(map.tile(2, 1)->bytes.data());
+        const auto* texels = reinterpret_cast<const uint16_t*>(map.tile(2, 1)->look());
         EXPECT_EQ(texels[300 % kTileSize], 0) << row.name;
         EXPECT_EQ(texels[(200 % kTileSize) * kTileSize], 0) << row.name;
     }

@@ -19,7 +19,8 @@ TEST(MapOps, FillRoundsToNearestInEveryTypeAndLeavesThePaddingZero) {
     for (const PixelType type : {PixelType::U8, PixelType::U16, PixelType::F32}) {
         const Map map = filled(200, 130, 1, type, 0.3f);
         EXPECT_NEAR(map.mean(), 0.3, type == PixelType::U8 ? 0.002 : 1e-5);
-        for (const std::byte b : std::span(map.tile(1, 1)->bytes).subspan(size_t(100) * pixelBytes(type), 20))
+        for (const std::byte b :
+             std::span(map.tile(1, 1)->look(), map.tileBytes()).subspan(size_t(100) * pixelBytes(type), 20))
             EXPECT_EQ(b, std::byte(0));
     }
 }
