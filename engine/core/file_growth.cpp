@@ -11,6 +11,7 @@
 
 #include "core/file.h"
 #include "core/json.h"
+#include "core/log.h"
 
 namespace fs = std::filesystem;
 
@@ -18,7 +19,6 @@ namespace sward {
 namespace {
 
 constexpr uint64_t kMaxSwitchBytes = 4096;
-constexpr int kNumberBytes = 4;
 
 struct OpenFile {
     explicit OpenFile(const fs::path& file) : fd(::open(file.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW)) {}
@@ -41,10 +41,6 @@ int writeAt(int fd, std::string_view bytes, uint64_t at) {
     return 0;
 }
 
-uint32_t numberOf(const unsigned char* b) {
-    return uint32_t(b[0]) | uint32_t(b[1]) << 8 | uint32_t(b[2]) << 16 | uint32_t(b[3]) << 24;
-}
-
 // A whole number from 0 to `most` called `key`; Unsound otherwise.
 Result<uint64_t> wholeNumber(const Json& json, const char* key, double most, const fs::path& file) {
     const Json* j = json.isObject() ? json.find(key) : nullptr;
@@ -61,6 +57,7 @@ Status writeSwitch(const fs::path& to, const HeadSwitch& s) {
     json["at"] = Json(static_cast<double>(s.at));
     json["before"] = Json(static_cast<double>(s.before));
     json["after"] = Json(static_cast<double>(s.after));
+    json["size"] = Json(static_cast<double>(s.size));
     return writeFileSynced(to, writeJson(json));
 }
 
@@ -71,21 +68,29 @@ Result<HeadSwitch> readSwitch(const fs::path& from) {
     if (!json) return json.error();
     constexpr double kMostAt = double(uint64_t(1) << 40), kMost = std::numeric_limits<uint32_t>::max();
     const auto at = wholeNumber(*json, "at", kMostAt, from), before = wholeNumber(*json, "before", kMost, from),
-               after = wholeNumber(*json, "after", kMost, from);
-    for (const auto* number : {&at, &before, &after})
+               after = wholeNumber(*json, "after", kMost, from), size = wholeNumber(*json, "size", kMostAt, from);
+    for (const auto* number : {&at, &before, &after, &size})
         if (!*number) return number->error();
-    return HeadSwitch{*at, static_cast<uint32_t>(*before), static_cast<uint32_t>(*after)};
+    return HeadSwitch{*at, static_cast<uint32_t>(*before), static_cast<uint32_t>(*after), *size};
 }
 
 Status switchHead(const fs::path& file, const HeadSwitch& s) {
     const OpenFile f(file);
-    unsigned char now[kNumberBytes];
     if (f.fd < 0) return fileError("cannot be written", file, errno);
-    if (::pread(f.fd, now, kNumberBytes, static_cast<off_t>(s.at)) != kNumberBytes || numberOf(now) != s.before)
+    uint32_t now = 0;
+    const ssize_t n = ::pread(f.fd, &now, sizeof now, static_cast<off_t>(s.at));
+    struct stat info {};
+    if (n < 0 || ::fstat(f.fd, &info) != 0) return fileError("cannot be read", file, errno);
+    if (n == sizeof now && now == s.after) return {};
+    if (n != sizeof now || now != s.before) {
+        logWarning(file.string() + ": is another file than the one that a save added to, and stays as it is");
         return {};
-    std::string bytes;
-    for (int i = 0; i < kNumberBytes; ++i) bytes += static_cast<char>(s.after >> (8 * i));
-    int fault = writeAt(f.fd, bytes, s.at);
+    }
+    if (static_cast<uint64_t>(info.st_size) < s.size)
+        return failed("lacks what an interrupted save had added to it",
+                      "take it from a copy, or remove the folder .sward-save to open the project as it was before")
+            .at(file);
+    int fault = writeAt(f.fd, {reinterpret_cast<const char*>(&s.after), sizeof s.after}, s.at);
     if (fault == 0 && ::fsync(f.fd) != 0) fault = errno;
     return fault == 0 ? Status() : fileError("cannot be written", file, fault);
 }

@@ -12,16 +12,18 @@
 
 namespace sward {
 
-// The number of four bytes, the lowest first, that makes a file's new end count.
+// The number of four bytes, in this machine's order, that makes a file's new end count.
 struct HeadSwitch {
     uint64_t at = 0;  // in the file
     uint32_t before = 0, after = 0;
+    uint64_t size = 0;  // bytes that the file has with its new end
     bool operator==(const HeadSwitch&) const = default;
 };
 // To and from a small file. Writing flushes it; reading refuses what is none (Unsound).
 Status writeSwitch(const std::filesystem::path& to, const HeadSwitch& s);
 Result<HeadSwitch> readSwitch(const std::filesystem::path& from);
-// Changes the file, and flushes it; does nothing if the number there is not the one before.
+// Changes the file, and flushes it; nothing to do if that is done. Nothing is done either, but told, if the file is
+// another one by now; Failed error if it cannot be written, or is one that lacks the new end.
 Status switchHead(const std::filesystem::path& file, const HeadSwitch& s);
 
 // Whether a file can grow in its place: one that may be written, under one name only (what a link beside it leads to

@@ -40,15 +40,17 @@ Status switchGrown(const fs::path& dir, const std::string& file) {
     if (!grown) return grown.error();
     const Result<HeadSwitch> to = readSwitch(dir / kSaveFolder / file);
     if (!to) return to.error();
-    std::error_code ignored;
-    return fs::is_regular_file(*grown, ignored) ? switchHead(*grown, *to) : Status();
+    std::error_code fault;
+    return fs::exists(*grown, fault) || fault ? switchHead(*grown, *to) : Status();
 }
 
+bool isSwitch(const std::string& file) { return file.starts_with("maps/") && file.ends_with(kSwitchEnding); }
+
 Status moveIntoPlace(const fs::path& dir, const std::string& file, std::set<fs::path>& touched) {
+    if (isSwitch(file)) return switchGrown(dir, file);
     const Result<fs::path> target = resolveInside(dir, file);
     if (!target) return target.error();
     std::error_code fault;
-    if (file.ends_with(kSwitchEnding)) return switchGrown(dir, file);
     fs::create_directories(target->parent_path(), fault);
     fs::rename(dir / kSaveFolder / file, *target, fault);
     if (fault && fault.value() != ENOENT) return fileError("cannot be moved into place", *target, fault.value());
@@ -219,7 +221,8 @@ Status commitSave(const fs::path& dir, const std::vector<SaveFile>& files, const
     if (done) done = makeCurrent(dir, waitSeconds);
     if (done) return done;
     fs::remove_all(temp, fault);
-    for (FileGrowth& g : grown) g.undo();
+    if (!isOwnFolder(dir / kSaveFolder))  // else the commit was made, though the file system told otherwise
+        for (FileGrowth& g : grown) g.undo();
     return done;
 }
 

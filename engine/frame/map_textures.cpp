@@ -67,8 +67,8 @@ std::vector<T> halve(const T* in, int width, int height, int stride, int channel
 // A tile's part of a texture's levels: its own texels, and what is filtered from them.
 template <class T>
 struct LevelChain {
-    TileTexels texels{nullptr, 0};  // kept for level 0, unless that is
-    std::vector<T> linear;
+    TileTexels texels{nullptr, 0};  // of the tile
+    std::vector<T> linear;          // the same decoded, where level 0 is that
     struct Level {
         const T* pixels;
         int stride, width, height;  // in texels

@@ -295,6 +295,10 @@ Status writePlain(const fs::path& file, const char* format, const MapInfo& info,
 
 Result<Map> readMap(const fs::path& file, const MapWish& wish, std::vector<std::string>* repaired) {
     if (const auto tiles = tilesToOpen(file, wish)) return openLarge(file, *tiles, wish);
+    if (wish.directory)
+        return unsound("lacks what an interrupted save had added to it",
+                       "take it from a copy, or remove the folder .sward-save to open the project as it was before")
+            .at(file);
     ValueRange range = wish.range;
     ValueRange stated;  // by an R16's sidecar
     std::optional<double> noData;
@@ -322,10 +326,12 @@ Status writeMap(const fs::path& file, const Map& map, bool flip, const ValueRang
     if (!fitting) return fitting.error();
     if (ext == ".tif" && keptInTiles(fitting->info()) && !flip) return writeInTiles(file, *fitting);
     const auto rows = rowsOf(*fitting, flip);
-    if (Status s = checkTiles(map); !s) return failed(s.error().message, s.error().remedy).at(s.error().file);
-    if (ext != ".r16") return writeBytes(file, encodeImage(ext.substr(1), fitting->info(), rows));
+    const Result<std::string> bytes = ext == ".r16" ? Result<std::string>(r16Bytes(*fitting, rows))
+                                                    : encodeImage(ext.substr(1), fitting->info(), rows);
+    if (Status s = tilesSound(map); !s) return failed(s.error().message, s.error().remedy).at(s.error().file);
+    if (ext != ".r16") return writeBytes(file, bytes);
     if (Status s = writeSidecar(file, fitting->info(), range); !s) return s;
-    return writeFileAtomic(file, r16Bytes(*fitting, rows));
+    return writeFileAtomic(file, *bytes);
 }
 
 // --- images for people -------------------------------------------------------------------------------------------

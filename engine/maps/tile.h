@@ -1,7 +1,7 @@
 // A tile's texels: held in memory, or lying in a file that is read whenever they are asked for, so that a map may be
-// larger than memory. What was read last stays at hand for each thread (kAtHandBytes); the rest is the system's, which
-// keeps files in what memory is free.
-// Does not: know of formats (tile_file.h), nor of the place of a tile in a map.
+// larger than memory. What was read last stays at hand for each thread (8 MB of heights); the rest is the system's,
+// which keeps files in what memory is free. Does not: know of formats (tile_file.h), nor of the place of a tile in a
+// map.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -9,9 +9,11 @@
 #include <span>
 #include <vector>
 
+#include "core/error.h"
+
 namespace sward {
 
-inline constexpr size_t kTilesAtHand = 256;  // of each thread: a row of a map of 32768 texels
+inline constexpr size_t kTilesAtHand = 256;  // of each thread: rows of two maps of 16384 texels
 
 // Where texels lie that are not held. May be read by several threads at once.
 class TexelSource {
@@ -19,6 +21,8 @@ class TexelSource {
     virtual ~TexelSource() = default;
     // Fills `out` with the bytes at `place`; with zeros what cannot be read, which is told of once.
     virtual void read(uint64_t place, std::span<std::byte> out) const = 0;
+    // Why what was read may not be what the tiles held; nothing wrong otherwise.
+    virtual Status sound() const = 0;
 };
 
 // Texels while somebody looks at them.
@@ -54,14 +58,18 @@ class Tile {
     const std::shared_ptr<const TexelSource>& source() const { return source_; }
     uint64_t place() const { return place_; }
     size_t heldBytes() const { return held_.size(); }
+    // TexelSource::sound of where it lies, or of where it was copied from if that was unsound then.
+    Status sound() const;
 
   private:
     TileTexels read() const;
     const std::byte* lookAtSource() const;
+    const std::shared_ptr<const std::byte[]>& atHand() const;
 
     std::vector<std::byte> held_;
     std::shared_ptr<const TexelSource> source_;
-    uint64_t place_ = 0, number_ = 0;  // number: of all tiles that ever had a source
+    std::shared_ptr<const Status> fault_;  // of where it was copied from
+    uint64_t place_ = 0, number_ = 0;      // number: of all tiles that ever had a source
     size_t size_ = 0;
 };
 

@@ -1,6 +1,7 @@
 #include "maps/tile_file.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -12,6 +13,7 @@
 #include <unordered_set>
 
 #include "core/file.h"
+#include "core/hash.h"
 #include "core/jobs.h"
 #include "core/log.h"
 #include "maps/map_io.h"
@@ -32,13 +34,25 @@ Error cannotBeRead(const fs::path& file) {
 
 class FileTexels final : public TexelSource {
   public:
-    explicit FileTexels(fs::path file) : file_(std::move(file)), fd_(::open(file_.c_str(), O_RDONLY | O_CLOEXEC)) {}
+    FileTexels(fs::path file, uint64_t directory)
+        : file_(std::move(file)), fd_(::open(file_.c_str(), O_RDONLY | O_CLOEXEC)), directory_(directory) {
+        if (fd_ >= 0 && ::fstat(fd_, &opened_) == 0) saidThen_ = hashOfDirectory();
+    }
     ~FileTexels() override {
         if (fd_ >= 0) ::close(fd_);
     }
     bool opened() const { return fd_ >= 0; }
-    bool failed() const { return failed_; }
-    const fs::path& file() const { return file_; }
+    // Nobody wrote to it since, or it has grown, which leaves what was there.
+    Status sound() const override {
+        if (failed_) return cannotBeRead(file_);
+        struct stat now {};
+        const bool same = ::fstat(fd_, &now) == 0 && now.st_mtim.tv_sec == opened_.st_mtim.tv_sec &&
+                          now.st_mtim.tv_nsec == opened_.st_mtim.tv_nsec;
+        if (same || (now.st_size > opened_.st_size && hashOfDirectory() == saidThen_)) return {};
+        return unsound("was written over by another program since it was opened, and held what was not painted since",
+                       "take it from a copy, or open the project anew with what the file holds now")
+            .at(file_);
+    }
 
     void read(uint64_t place, std::span<std::byte> out) const override {
         while (!out.empty()) {
@@ -53,8 +67,16 @@ class FileTexels final : public TexelSource {
     }
 
   private:
+    // Of the beginning of what refers to the tiles.
+    uint64_t hashOfDirectory() const {
+        char bytes[256] = {};
+        const ssize_t n = ::pread(fd_, bytes, sizeof bytes, static_cast<off_t>(directory_));
+        return n > 0 ? hashBytes(bytes, std::min(sizeof bytes, size_t(opened_.st_size) - directory_)) : 0;
+    }
     fs::path file_;
     int fd_;
+    uint64_t directory_, saidThen_ = 0;
+    struct stat opened_ {};
     mutable std::atomic<bool> failed_{false};
 };
 
@@ -130,21 +152,6 @@ std::string headOf(uint32_t directory) {
 
 std::string_view textOf(const TileTexels& t) { return {reinterpret_cast<const char*>(t.data()), t.size()}; }
 
-std::unordered_set<const FileTexels*> sourcesOf(const Map& map) {
-    std::unordered_set<const FileTexels*> sources;
-    for (int ty = 0; ty < map.tilesY(); ++ty)
-        for (int tx = 0; tx < map.tilesX(); ++tx)
-            if (const auto* s = dynamic_cast<const FileTexels*>(map.tile(tx, ty)->source().get())) sources.insert(s);
-    return sources;
-}
-
-// What the tiles have told so far.
-Status readSoFar(const Map& map) {
-    for (const FileTexels* source : sourcesOf(map))
-        if (source->failed()) return cannotBeRead(source->file());
-    return {};
-}
-
 bool differs(const Map& a, const Map& b, int tx, int ty) {
     return a.tile(tx, ty) != b.tile(tx, ty) && !sameTexels(*a.tile(tx, ty), *b.tile(tx, ty));
 }
@@ -156,7 +163,7 @@ bool keptInTiles(const MapInfo& info) {
 }
 
 Result<Map> openTiles(const fs::path& file, const PlainTiles& tiles) {
-    const auto source = std::make_shared<FileTexels>(file);
+    const auto source = std::make_shared<FileTexels>(file, tiles.directory);
     if (!source->opened()) return unsound("cannot be read", "check who may read it").at(file);
     Map map(tiles.info);
     std::unordered_map<uint64_t, std::shared_ptr<const Tile>> made;
@@ -168,12 +175,23 @@ Result<Map> openTiles(const fs::path& file, const PlainTiles& tiles) {
     return map;
 }
 
+Status tilesSound(const Map& map) {
+    std::unordered_set<const TexelSource*> asked;
+    for (int ty = 0; ty < map.tilesY(); ++ty)
+        for (int tx = 0; tx < map.tilesX(); ++tx) {
+            const Tile& tile = *map.tile(tx, ty);
+            if (tile.source() && !asked.insert(tile.source().get()).second) continue;
+            if (Status s = tile.sound(); !s) return s;
+        }
+    return {};
+}
+
 Status checkTiles(const Map& map) {
     parallelFor(size_t(map.tilesY()), [&](size_t ty) {
         for (int tx = 0; tx < map.tilesX(); ++tx)
             if (map.tile(tx, int(ty))->source()) map.tile(tx, int(ty))->look();
     });
-    return readSoFar(map);
+    return tilesSound(map);
 }
 
 Status writeTiles(const fs::path& file, const Map& map) {
@@ -199,7 +217,7 @@ Status writeTiles(const fs::path& file, const Map& map) {
     out << headOf(end.directory);
     out.close();
     if (!out) return failure();
-    if (Status s = readSoFar(map); !s) return failed(s.error().message, s.error().remedy).at(s.error().file);
+    if (Status s = tilesSound(map); !s) return failed(s.error().message, s.error().remedy).at(s.error().file);
     return syncPath(file);
 }
 
@@ -231,10 +249,10 @@ Result<HeadSwitch> growTiles(FileGrowth& file, const PlainTiles& tiles, const Ma
             if (!changed) continue;
             if (Status s = file.append(textOf(now.tile(tx, ty)->texels())); !s) return s.error();
         }
-    if (Status s = readSoFar(now); !s) return failed(s.error().message, s.error().remedy).at(s.error().file);
+    if (Status s = tilesSound(now); !s) return failed(s.error().message, s.error().remedy).at(s.error().file);
     const End end = endOf(now.info(), places, static_cast<uint32_t>(now.tileBytes()), begin());
     if (Status s = file.append(end.bytes); !s) return s.error();
-    return HeadSwitch{kDirectoryAt, static_cast<uint32_t>(tiles.directory), end.directory};
+    return HeadSwitch{kDirectoryAt, static_cast<uint32_t>(tiles.directory), end.directory, file.size()};
 }
 
 }  // namespace sward

@@ -14,7 +14,7 @@
 
 namespace sward {
 
-// Texels to which a map is read whole, as larger ones are whose files are of another kind.
+// Up to so many texels maps are read whole; larger ones of integers are kept in tiles.
 inline constexpr size_t kHeldTexels = size_t(4096) * 4096;
 
 // Whether a map is so large, and of integers: one that is kept in a file of tiles.
@@ -22,7 +22,10 @@ bool keptInTiles(const MapInfo& info);
 // A map whose tiles lie in the file, which stays open as long as any of them lives. Tiles of one place are one. Unsound
 // error if it cannot be opened.
 Result<Map> openTiles(const std::filesystem::path& file, const PlainTiles& tiles);
-// Unsound error if a texel of a map could not be read from its file, naming that; reads them all for it.
+// Unsound error, naming the file, if a texel of a map could not be read from it so far, or another program wrote over
+// it in its place: then nobody knows what the map was.
+Status tilesSound(const Map& map);
+// The same after all texels were read.
 Status checkTiles(const Map& map);
 // A new file, flushed. The map's are integers. Failed error if it cannot be written, or not all of it can be read.
 Status writeTiles(const std::filesystem::path& file, const Map& map);

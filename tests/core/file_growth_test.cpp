@@ -21,11 +21,21 @@ TEST(FileGrowth, CountsFromTheSwitchOn) {
     EXPECT_EQ(growth->size(), 10u);
     ASSERT_TRUE(growth->flush());
     EXPECT_EQ(readText(dir / "f"), std::string("\x08\x00\x00\x00", 4) + "oldnew");
-    const HeadSwitch to{0, 8, 0x01020304};
+    const HeadSwitch to{0, 8, 0x01020304, 10};
     ASSERT_TRUE(switchHead(dir / "f", to));
     EXPECT_EQ(readText(dir / "f"), "\x04\x03\x02\x01oldnew");
-    ASSERT_TRUE(switchHead(dir / "f", {0, 8, 9})) << "done already: no error";
+    ASSERT_TRUE(switchHead(dir / "f", to)) << "done already: no error";
+    ASSERT_TRUE(switchHead(dir / "f", {0, 8, 9, 10}));
     EXPECT_EQ(readText(dir / "f"), "\x04\x03\x02\x01oldnew") << "another number stands there";
+}
+
+TEST(FileGrowth, AFileThatLacksItsNewEndIsNotSwitched) {
+    TempDir dir;
+    writeText(dir / "f", std::string("\x08\x00\x00\x00", 4) + "old");
+    const Status short_ = switchHead(dir / "f", {0, 8, 9, 10});
+    ASSERT_FALSE(short_);
+    EXPECT_NE(short_.error().text().find("lacks what an interrupted save"), std::string::npos) << short_.error().text();
+    EXPECT_EQ(readText(dir / "f"), std::string("\x08\x00\x00\x00", 4) + "old");
 }
 
 TEST(FileGrowth, IsTakenBackWithTheFilesTime) {
@@ -56,14 +66,15 @@ TEST(FileGrowth, IsOnlyForFilesOfOneNameThatMayBeWritten) {
 
 TEST(FileGrowth, SwitchesGoThroughAFile) {
     TempDir dir;
-    const HeadSwitch to{4, 8, 4294967295u};
+    const HeadSwitch to{4, 8, 4294967295u, 4000000000};
     ASSERT_TRUE(writeSwitch(dir / "s", to));
     const Result<HeadSwitch> back = readSwitch(dir / "s");
     ASSERT_TRUE(back);
     EXPECT_TRUE(*back == to);
     for (const char* bad :
-         {"", "{}", "[1]", R"({"at": 4, "before": 8})", R"({"at": -1, "before": 8, "after": 9})",
-          R"({"at": 4, "before": 8, "after": 4294967296})", R"({"at": 4, "before": 8.5, "after": 9})"}) {
+         {"", "{}", "[1]", R"({"at": 4, "before": 8})", R"({"at": -1, "before": 8, "after": 9, "size": 1})",
+          R"({"at": 4, "before": 8, "after": 4294967296, "size": 1})",
+          R"({"at": 4, "before": 8.5, "after": 9, "size": 1})", R"({"at": 4, "before": 8, "after": 9})"}) {
         writeText(dir / "s", bad);
         const Result<HeadSwitch> none = readSwitch(dir / "s");
         ASSERT_FALSE(none) << bad;

@@ -1,9 +1,11 @@
-// Images whole: a map whose texels are finite, an image, or an error; both readers take the same files.
+// Images whole: a map whose texels are finite, an image, or an error; both readers take the same files, and so does who
+// opens their tiles.
 #include <cmath>
 
 #include "fuzz/scratch.h"
 #include "maps/image_head.h"
 #include "maps/map_io.h"
+#include "maps/tile_file.h"
 
 using namespace sward;
 
@@ -24,6 +26,11 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, size_t size) {
     wish.channels = 0;
     const auto map = readMap(file, wish);
     if (!map) return 0;
+    if (const auto head = readImageHead(file); head->tiles) {
+        const auto opened = openTiles(file, *head->tiles);
+        fuzz::promise(opened && checkTiles(*opened), "tiles lie within the file");
+        fuzz::promise(opened->hash() == map->hash(), "tiles hold what the library reads");
+    }
     const MapInfo& info = map->info();
     for (int y = 0; y < info.height; ++y)
         for (int x = 0; x < info.width; ++x)

@@ -8,6 +8,7 @@
 #include "grass/slice_file.h"
 #include "maps/image_file.h"
 #include "maps/map_io.h"
+#include "maps/tile_file.h"
 #include "mesh/mesh_io.h"
 #include "mesh/mesh_shapes.h"
 #include "project/project_files.h"
@@ -37,8 +38,18 @@ void seedProjects(const fs::path& to) {
     const std::string text = writeJson(projectJson(everything(), tables().components));
     seed(to, "project", "everything", text);
     seed(to, "project", "empty", "{}");
-    seed(to, "recovery", "everything", text + "\n----\nmaps/a.png\n");
+    seed(to, "recovery", "everything",
+         text + "\n----\nmaps/a.png\n\n----\n{\"at\": 1, \"before\": 1885433120, \"after\": 7, \"size\": 5}");
     seed(to, "recovery", "outside", "{}\n----\n../outside.png\n/etc/passwd\n");
+}
+
+// The same as a file of tiles.
+void seedTiles(const fs::path& to, const std::string& name, const Map& map) {
+    const test::TempDir dir;
+    if (!writeTiles(dir / "tiles.tif", map)) return;
+    const std::string bytes = test::readText(dir / "tiles.tif");
+    seed(to, "image", "tiles-" + name, bytes);
+    seed(to, "image_head", "tiles-" + name, bytes);
 }
 
 void seedImages(const fs::path& to) {
@@ -57,6 +68,7 @@ void seedImages(const fs::path& to) {
                     std::string(format) + std::to_string(static_cast<int>(type)) + std::to_string(channels);
                 seed(to, "image", name, *bytes);
                 seed(to, "image_head", name, *bytes);
+                if (format[0] == 't' && type != PixelType::F32) seedTiles(to, name, map);
             }
 }
 

@@ -4,6 +4,10 @@
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+
 #include "core/file.h"
 #include "maps/map_io.h"
 #include "tests/maps/images.h"
@@ -181,6 +185,40 @@ TEST(TileFile, WhatIsCutShortIsToldOfAndNotSaved) {
         EXPECT_FALSE(fs::exists(dir / name)) << name;
     }
     EXPECT_FALSE(readMap(file, channelWish(1))) << "the next to open it is told at once";
+}
+
+TEST(TileFile, WhatAnotherProgramWroteOverIsNotSavedAsOnesOwn) {
+    TempDir dir;
+    const fs::path file = dir / "m.tif";
+    ASSERT_TRUE(writeMap(file, fullMap()));
+    const Map map = opened(file);
+    Map painted = map;
+    painted.set(0, 0, 0, 0.5f);
+    std::string bytes = readText(file);
+    std::reverse(bytes.begin() + 8, bytes.begin() + 8 + 1000000);
+    std::ofstream(file, std::ios::binary | std::ios::in) << bytes;  // in its place, as long as before
+    ASSERT_EQ(fs::file_size(file), bytes.size());
+    fs::last_write_time(file, fs::last_write_time(file) + std::chrono::seconds(1));
+    for (const Map& m : {map, painted}) {
+        const Status saved = writeMap(dir / "copy.tif", m);
+        ASSERT_FALSE(saved);
+        EXPECT_NE(saved.error().text().find("written over by another program"), std::string::npos)
+            << saved.error().text();
+    }
+    EXPECT_FALSE(fs::exists(dir / "copy.tif"));
+    EXPECT_TRUE(writeMap(dir / "copy.tif", opened(file))) << "opened anew it is what it is";
+}
+
+TEST(TileFile, WhatWasPaintedOnTexelsThatAreGoneIsNotSaved) {
+    TempDir dir;
+    const fs::path file = dir / "m.tif";
+    ASSERT_TRUE(writeMap(file, fullMap()));
+    Map map = opened(file);
+    fs::resize_file(file, 4096);
+    for (int ty = 0; ty < map.tilesY(); ++ty)
+        for (int tx = 0; tx < map.tilesX(); ++tx) map.writeTile(tx, ty);
+    EXPECT_FALSE(isOpen(map));
+    EXPECT_FALSE(writeMap(dir / "copy.tif", map)) << "zeros for texels";
 }
 
 TEST(TileFile, RefusesWhatAnyMapIsRefusedFor) {

@@ -17,6 +17,8 @@ struct Counted final : TexelSource {
         ++reads;
         std::memset(out.data(), static_cast<int>(place), out.size());
     }
+    bool broken = false;
+    Status sound() const override { return broken ? Status(unsound("broken")) : Status(); }
 };
 }  // namespace
 
@@ -62,6 +64,26 @@ TEST(Tiles, ACopyIsHeldAndCanBeWritten) {
     copy.write()[2] = std::byte(9);
     EXPECT_FALSE(sameTexels(copy, tile));
     EXPECT_EQ(tile.look()[2], std::byte(3));
+}
+
+TEST(Tiles, OfTheSamePlaceOfTwoMapsDoNotDriveEachOtherOut) {
+    const auto source = std::make_shared<Counted>();
+    std::vector<std::unique_ptr<Tile>> tiles;
+    for (size_t i = 0; i < 2 * kTilesAtHand; ++i) tiles.push_back(std::make_unique<Tile>(source, i % 100, 16));
+    for (int look = 0; look < 5; ++look) tiles[3]->look(), tiles[3 + kTilesAtHand]->look();
+    EXPECT_EQ(source->reads, 2);
+}
+
+TEST(Tiles, ACopyOfWhatWasUnsoundStaysSo) {
+    const auto source = std::make_shared<Counted>();
+    const Tile tile(source, 3, 16);
+    const Tile before(tile);
+    source->broken = true;
+    const Tile after(tile), again(after);
+    EXPECT_TRUE(before.sound());
+    EXPECT_FALSE(tile.sound());
+    EXPECT_FALSE(after.sound());
+    EXPECT_FALSE(again.sound());
 }
 
 TEST(Tiles, OfOnePlaceAreTheSameUnread) {

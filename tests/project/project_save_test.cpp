@@ -173,8 +173,8 @@ TEST(Saving, AFileThatHasGrownCountsFromTheCommitOn) {
         return unsigned(uint8_t(h[4])) | unsigned(uint8_t(h[5])) << 8 | unsigned(uint8_t(h[6])) << 16 |
                unsigned(uint8_t(h[7])) << 24;
     };
-    writeText(dir / "p" / pending,
-              fmt::format(R"({{"at": 4, "before": {}, "after": {}}})", number(head), number(grown.substr(0, 8))));
+    writeText(dir / "p" / pending, fmt::format(R"({{"at": 4, "before": {}, "after": {}, "size": {}}})", number(head),
+                                               number(grown.substr(0, 8)), grown.size()));
     writeText(dir / "p/.sward-save/project.json", jsonB);
     makeReadOnly(dir / "p");
     EXPECT_EQ(runChild("load-large-unprivileged", {(dir / "p").string(), std::to_string(hashA)}), "b")
@@ -183,6 +183,14 @@ TEST(Saving, AFileThatHasGrownCountsFromTheCommitOn) {
     EXPECT_EQ(largeFault(dir / "p", hashA), "b");
     EXPECT_EQ(readText(dir / "p" / name), grown) << "the reader finished the save";
     EXPECT_FALSE(fs::exists(dir / "p/.sward-save"));
+    // The map is put back from a copy before anybody finished the save: it lacks what was added.
+    writeText(dir / "p" / pending, fmt::format(R"({{"at": 4, "before": {}, "after": {}, "size": {}}})", number(head),
+                                               number(grown.substr(0, 8)), grown.size()));
+    writeText(dir / "p/.sward-save/project.json", jsonB);
+    writeText(dir / "p" / name, uncommitted.substr(0, uncommitted.size() / 2 * 2 - 65536));
+    const std::string said = largeFault(dir / "p", hashA);
+    EXPECT_NE(said.find("interrupted save"), std::string::npos) << said;
+    EXPECT_TRUE(fs::exists(dir / "p" / pending)) << "and stays for who has the whole file";
 }
 
 TEST(Saving, AFailedSaveTakesBackWhatItAddedToALargeMap) {
