@@ -124,7 +124,8 @@ SaveFile fileOf(Saving& s, const PlannedMap& planned) {
     SaveFile out{planned.file, [goOn, map = planned.map](const fs::path& to) { return goOn(writeMap(to, *map)); }};
     const fs::path file = s.p.dir / planned.file;
     const Map* before = knownOnDisk(s, planned);
-    if (!before || !worthGrowing(file, *before, *planned.map)) return out;
+    const bool mayWait = planned.file.starts_with("maps/");  // only there an interrupted save looks for what has grown
+    if (!before || !mayWait || !worthGrowing(file, *before, *planned.map)) return out;
     out.grow = [goOn, file, before, map = planned.map](FileGrowth& growth) -> Result<HeadSwitch> {
         const std::optional<PlainTiles> tiles = tilesOf(file, map->info());
         if (!tiles) return failed("was changed by another program while it was saved", "save again").at(file);

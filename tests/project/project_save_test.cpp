@@ -155,6 +155,18 @@ TEST(Saving, ALargeMapsFileGrowsByWhatChanged) {
     EXPECT_TRUE(saveProject(b, rows(), &b)->empty()) << "nothing changed since";
 }
 
+TEST(Saving, ALargeMapElsewhereInTheProjectIsWrittenAnew) {
+    TempDir dir;
+    Project a = largeState(dir / "p", fullMap(), false);
+    a.registry.get<GrassField>(findEntity(a, "lawn"))->species[0].density.file = "land/density.tif";
+    ASSERT_TRUE(saveProject(a, rows()));
+    const Result<Project> known = loadProject(dir / "p", rows());
+    Project b = largeState(dir / "p", densityOf(*known), true);
+    b.registry.get<GrassField>(findEntity(b, "lawn"))->species[0].density.file = "land/density.tif";
+    ASSERT_TRUE(saveProject(b, rows(), &*known));
+    EXPECT_EQ(densityOf(*loadProject(dir / "p", rows())).hash(), densityOf(b).hash());
+}
+
 TEST(Saving, AFileThatHasGrownCountsFromTheCommitOn) {
     TempDir dir;
     const std::string name = "maps/lawn.grass.density.tif", pending = ".sward-save/" + name + ".sward-switch";
