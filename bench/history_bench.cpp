@@ -18,14 +18,14 @@
 namespace {
 using namespace sward;
 
-constexpr int kSide = 4096;
+constexpr int kHistorySide = 4096;
 constexpr const char* kDensity = "lawn.GrassField.species[lawn].density";
 
 // Spots, of which no tile is like another.
 Map spottedMap() {
-    Map map({kSide, kSide, 1, PixelType::U16});
-    std::vector<uint16_t> row(kSide);
-    for (int y = 0; y < kSide; ++y) {
+    Map map({kHistorySide, kHistorySide, 1, PixelType::U16});
+    std::vector<uint16_t> row(kHistorySide);
+    for (int y = 0; y < kHistorySide; ++y) {
         for (size_t x = 0; x < row.size(); ++x)
             row[x] =
                 static_cast<uint16_t>(30000 + 20000 * std::sin(0.01 * static_cast<double>(x)) * std::cos(0.013 * y));

@@ -59,8 +59,8 @@ struct BareDrawing {
         glCreateBuffers(kShares, buffers.data());
         for (size_t s = 0; s < kShares; ++s) {
             corners[s] = static_cast<GLsizei>(3 * t.of[s].size());
-            glNamedBufferStorage(buffers[s], static_cast<GLsizeiptr>(t.of[s].size() * sizeof(Corners)), t.of[s].data(),
-                                 0);
+            glNamedBufferStorage(buffers[s], static_cast<GLsizeiptr>(t.of[s].size() * sizeof(t.of[s][0])),
+                                 t.of[s].data(), 0);
         }
     }
     ~BareDrawing() {

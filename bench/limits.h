@@ -25,7 +25,7 @@ int add(const char* group, void (*measure)());
 }
 
 // SWARD_LIMITS("ecs", [] { ... reportLimit(...); }): measured once per run; skipped where --filter names another group.
-#define SWARD_LIMITS(group, ...) SWARD_LIMITS_AT(group, __LINE__, __VA_ARGS__)
-#define SWARD_LIMITS_AT(group, line, ...) SWARD_LIMITS_NAMED(group, line, __VA_ARGS__)
-#define SWARD_LIMITS_NAMED(group, line, ...) \
-    [[maybe_unused]] static const int limitsAt##line = limits::add(group, __VA_ARGS__)
+#define SWARD_LIMITS(group, ...) SWARD_LIMITS_AT(group, __COUNTER__, __VA_ARGS__)
+#define SWARD_LIMITS_AT(group, number, ...) SWARD_LIMITS_NAMED(group, number, __VA_ARGS__)
+#define SWARD_LIMITS_NAMED(group, number, ...) \
+    [[maybe_unused]] static const int limits##number = limits::add(group, __VA_ARGS__)

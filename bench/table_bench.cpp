@@ -114,15 +114,15 @@ struct Drawn {
     }
 };
 
-struct Row {
+struct TableRow {
     const Published* published;
     Measured patch[2], stored[2];
     bool hasStored = false;
 };
 
 // Both populations and effects on and off, in turn.
-std::optional<Row> measure(const Published& published) {
-    Row row{&published, {}, {}, published.side <= kLargestStored};
+std::optional<TableRow> measure(const Published& published) {
+    TableRow row{&published, {}, {}, published.side <= kLargestStored};
     std::vector<std::unique_ptr<Drawn>> all;
     for (const Population p : {Population::Patch, Population::Unique}) {
         if (p == Population::Unique && !row.hasStored) continue;
@@ -143,7 +143,7 @@ std::optional<Row> measure(const Published& published) {
 
 double mega(int64_t bytes) { return static_cast<double>(bytes) / (1 << 20); }
 
-void print(const Row& r, int effects) {
+void print(const TableRow& r, int effects) {
     const Published& p = *r.published;
     const Measured& m = r.patch[effects];
     std::fprintf(stderr, "%-8s %6.0f  %-8s %-3s | %5.1f ms %9.0f | %7.1f ms %8lu %6.1f MB |", p.scene, p.side,
@@ -164,19 +164,19 @@ void print(const Row& r, int effects) {
 
 SWARD_LIMITS("prairie-table", [] {
     if (!gpu()) return reportLimit("stored blades as a share of a patch's time", NAN, 1.25, "x");
-    std::vector<Row> rows;
+    std::vector<TableRow> rows;
     std::fprintf(stderr, "320 x 240, 1 sample, least of %d frames in turn, %s\n", kFrames, gpu()->renderer.c_str());
     std::fprintf(stderr,
                  "scene    metres  added    far | the paper's       | a patch                      | every blade "
                  "stored           | ratio | on/off: paper's, ours\n");
     for (const Published& p : kTable)
-        if (std::optional<Row> row = measure(p)) {
+        if (std::optional<TableRow> row = measure(p)) {
             rows.push_back(*row);
             for (const int effects : {1, 0}) print(*row, effects);
         }
     if (rows.size() != std::size(kTable)) return reportLimit("rows of the paper's table 1", NAN, 0, "");
     std::vector<double> stored, effects;
-    for (const Row& r : rows) {
+    for (const TableRow& r : rows) {
         effects.push_back(r.patch[1].ms / r.patch[0].ms);
         if (r.hasStored) stored.push_back(r.stored[0].ms / r.patch[0].ms);
     }

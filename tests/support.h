@@ -9,7 +9,12 @@
 #include <optional>
 #include <string>
 
+extern "C" __attribute__((weak)) void __asan_init();
+
 namespace sward::test {
+
+// Whether this executable holds the address sanitizer.
+inline bool sanitized() { return &__asan_init != nullptr; }
 
 // A new empty folder, removed with all it holds when this goes.
 struct TempDir {

@@ -14,29 +14,16 @@
 
 #include "editor/app/app.h"
 #include "editor/ui/driver.h"
-#include "programs_once.h"
+#include "scenes.h"
 #include "support.h"
 #include "techniques.h"
 
 namespace sward::test {
 
-// One context and one new project for all tests; each test gets a fresh editor on it.
+// A new project for each test, and a fresh editor on it.
 class EditorFixture : public testing::Test {
   protected:
-    static void SetUpTestSuite() {
-        auto made = makeHeadlessGpu();
-        ASSERT_TRUE(made) << made.error().text();
-        gpu = made->release();
-        programs = std::make_unique<ProgramsOnce>();
-        programs->makeCurrent();
-    }
-    static void TearDownTestSuite() {
-        programs.reset();
-        delete gpu;
-        gpu = nullptr;
-    }
     void SetUp() override {
-        ASSERT_NE(gpu, nullptr);
         ASSERT_TRUE(doc.create(dir / "meadow"));
         app = std::make_unique<EditorApp>(doc, *gpu, ui::makeHeadlessSurface(800, 600), false);
         ui = makeUiDriver(*app);
@@ -76,8 +63,7 @@ class EditorFixture : public testing::Test {
         ok(ui->drag(static_cast<double>(r.x + r.w * 0.3f), y, static_cast<double>(r.x + r.w * 0.6f), y));
     }
 
-    static inline Gpu* gpu = nullptr;
-    static inline std::unique_ptr<ProgramsOnce> programs;
+    Gpu* const gpu = &test::gpu();
     TempDir dir;
     Document doc{tables()};
     std::unique_ptr<EditorApp> app;
