@@ -32,8 +32,8 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, size_t size) {
     fuzz::promise(test::readText(outside) == "kept", "nothing outside the project's folder is touched");
     fuzz::promise(fs::exists(dir / "project.json"), "a project stays a project");
     std::error_code gone;
-    if (const auto size = fs::file_size(dir / "maps/a.png", gone); !gone)
-        fuzz::promise(size == 5, "a switch changes a number and no more");
+    if (const auto kept = fs::file_size(dir / "maps/a.png", gone); !gone)
+        fuzz::promise(kept == 5, "a switch changes a number and no more");
     std::error_code ignored;
     fs::remove_all(dir, ignored);
     return 0;
