@@ -18,6 +18,7 @@
 #include "objects/mesh.h"
 #include "objects/scatter.h"
 #include "objects/shadow.h"
+#include "post/antialias.h"
 #include "post/far_blur.h"
 #include "post/map_overlay.h"
 #include "post/tonemap.h"
@@ -37,17 +38,19 @@ namespace sward {
 
 std::span<const EffectRow> effectRows() {
     static const EffectRow kRows[] = {
-        sunEffect(),          skyEffect(),           hazeEffect(),       atmosphereEffect(),   lampsEffect(),  // light
-        windEffect(),         gustsEffect(),         groundEffect(),     groundDepthEffect(),  shadeEffect(),
-        lampHillsEffect(),                                                                    // ground
-        meshEffect(),         scatterEffect(),       shadowEffect(),     lampShadowEffect(),  // objects
-        forestEffect(),       treesEffect(),         texcellsEffect(),                        // forest
-        forcesEffect(),       forceOutlinesEffect(), maskEffect(),       tracedEffect(),       fieldEffect(),
-        farDarkeningEffect(), uniqueEffect(),        geometryEffect(),   groundShadowEffect(), farEffect(),
-        farShadowEffect(),    slicesEffect(),        raytracedEffect(),  tessellatedEffect(),  meshGrassEffect(),
-        flowersEffect(),                                                                 // grass
-        waterEffect(),        reflectionEffect(),                                        // water
-        farBlurEffect(),      tonemapEffect(),       mapOverlayEffect(), decalEffect(),  // the screen
+        sunEffect(),          skyEffect(),           hazeEffect(),      atmosphereEffect(),
+        lampsEffect(),  // light
+        windEffect(),         gustsEffect(),         groundEffect(),    groundDepthEffect(),  shadeEffect(),
+        lampHillsEffect(),                                                                   // ground
+        meshEffect(),         scatterEffect(),       shadowEffect(),    lampShadowEffect(),  // objects
+        forestEffect(),       treesEffect(),         texcellsEffect(),                       // forest
+        forcesEffect(),       forceOutlinesEffect(), maskEffect(),      tracedEffect(),       fieldEffect(),
+        farDarkeningEffect(), uniqueEffect(),        geometryEffect(),  groundShadowEffect(), farEffect(),
+        farShadowEffect(),    slicesEffect(),        raytracedEffect(), tessellatedEffect(),  meshGrassEffect(),
+        flowersEffect(),                           // grass
+        waterEffect(),        reflectionEffect(),  // water
+        antialiasEffect(),    farBlurEffect(),       tonemapEffect(),   mapOverlayEffect(),
+        decalEffect(),  // the screen
     };
     return kRows;
 }

@@ -8,6 +8,7 @@
 #include "grass/slice_settings.h"
 #include "grass/tessellated_settings.h"
 #include "scene/accepted_picture.h"
+#include "scene/antialias.h"
 #include "scene/components.h"
 #include "scene/forest.h"
 #include "scene/ground_path.h"
@@ -42,7 +43,7 @@ struct Store {
         for (const ComponentRow& row :
              {grassFieldRow(names, grassFields), hybridTiersRow(), grassSlicesRow(), tessellatedBladesRow(),
               raytracedGrassRow(), grassDrawingRow(), farLookRow(), meshGrassRow(), groundPathRow(), mapLayersRow(),
-              scatterRow(), forestRow(), lockedRow(), inFolderRow(), acceptedPictureRow()})
+              scatterRow(), forestRow(), lockedRow(), inFolderRow(), acceptedPictureRow(), antialiasRow()})
             components.push_back(row);
         all = {components, effectRows(), techniques};
     }

@@ -83,7 +83,7 @@ ViewSettings settingsFor(const FrameClock& clock, int width, int height) {
 
 Status drawn(Renderer& renderer, const Project& project, const ViewCamera& camera, const ViewSettings& s,
              Picture& out) {
-    if (Status status = renderer.draw(project, camera, s); !status) return status;
+    if (Status status = drawSettled(renderer, project, camera, s); !status) return status;
     out = pictureOfBytes(s.width, s.height, renderer.readImage());
     return {};
 }

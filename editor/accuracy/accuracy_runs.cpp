@@ -15,6 +15,7 @@
 #include "core/hash.h"
 #include "cost/cost_files.h"
 #include "model/document.h"
+#include "scene/antialias.h"
 #include "scene/forest_technique.h"
 #include "tools/camera_control.h"
 #include "world/view_camera.h"
@@ -102,12 +103,32 @@ std::string outcomeOf(const Json& fit) {
 
 bool isViewSetting(const std::string& value) { return value.starts_with("msaa=") || value.starts_with("detail="); }
 
+// The entity that says how pixels come to their samples; empty: none does.
+std::string antialiasEntity(const Project& p) {
+    for (const auto& [name, e] : p.entities)
+        if (p.registry.get<Antialias>(e)) return name;
+    return "";
+}
+Status adoptAntialias(Document& document, const std::string& value) {
+    std::string entity = antialiasEntity(document.project());
+    if (entity.empty()) {
+        entity = "antialias";
+        if (Status s = document.addEntity(entity); !s) return s;
+        if (Status s = document.addComponent(entity, antialiasRow().name); !s) return s;
+    }
+    return document.setField(entity + "." + antialiasRow().name + ".antialias", value);
+}
+
 Status adoptIn(Document& document, const std::string& entity, const CostSetting& setting) {
     const auto [held, technique] = techniqueField(entity, setting.technique);
     if (Status s = document.setField(held, technique); !s) return s;
     for (const std::string& text : setting.values) {
         const auto v = settingValue(text);
         if (!v || isViewSetting(text) || !v->isFor(entity)) continue;
+        if (v->name == kAntialiasSetting) {
+            if (Status s = adoptAntialias(document, v->value); !s) return s;
+            continue;
+        }
         const std::string path = settingPath(document.tables(), entity, setting.technique, v->name);
         if (Status s = document.setField(path, v->value); !s) return s;
     }
@@ -222,6 +243,10 @@ bool isPresent(const Document& document, const CostSetting& setting) {
             if (isViewSetting(value) && value != "msaa=4" && value != "detail=1") return false;
             const auto v = settingValue(value);
             if (!v || isViewSetting(value) || !v->isFor(entity)) continue;
+            if (v->name == kAntialiasSetting) {
+                if ((temporalOf(project) != nullptr) != (value == kTemporalSetting)) return false;
+                continue;
+            }
             const auto field = findField(project, document.tables().components,
                                          settingPath(document.tables(), entity, setting.technique, v->name));
             if (!field || fieldText(*field) != v->value) return false;

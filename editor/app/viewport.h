@@ -50,6 +50,7 @@ struct ViewportPicture {
     bool refined = false;  // in this frame pieces of the full picture were drawn
     // What the image on the screen shows.
     uint64_t drawnRevision = kNeverDrawn;
+    uint64_t begunRevision = kNeverDrawn;  // of what frames that add up show
     ViewCamera drawnCamera;
     ViewSettings drawnSettings;
     bool hasImage = false;

@@ -94,7 +94,10 @@ Status writeFilm(Drawing& shot, const RenderOptions& o, const std::string& name,
     for (int i = o.first; i < o.first + o.frames; ++i) {
         shot.settings.time = o.time + i / o.fps;
         shot.view = shotAt(o, shot.project, name, i / o.fps);
-        if (Status s = shot.renderer.draw(shot.project, shot.view, shot.settings); !s) return s;
+        // What adds up has nothing before the first picture.
+        const auto drawn = i == o.first ? drawSettled(shot.renderer, shot.project, shot.view, shot.settings)
+                                        : shot.renderer.draw(shot.project, shot.view, shot.settings);
+        if (!drawn) return drawn;
         if (Status s = writePicture(shot.renderer, folder / fmt::format("frame_{:04d}.png", i), w, h); !s) return s;
     }
     return {};
@@ -131,7 +134,7 @@ Status renderAll(RenderOptions o, const Project& project, Gpu& gpu, int w, int h
             if (!record) return record.error();
             records.push_back(std::move(*record));
         }
-        if (Status s = renderer.draw(project, shot.view, shot.settings); !s) return s;
+        if (Status s = drawSettled(renderer, project, shot.view, shot.settings); !s) return s;
         if (Status s = writePicture(renderer, file, w, h); !s) return s;
         std::printf("%s\n", file.string().c_str());
     }

@@ -25,7 +25,7 @@ Status drawPicture(Renderer& renderer, const Project& p, const std::string& came
     ViewSettings s;
     s.width = asked.width, s.height = asked.height, s.msaa = asked.samplesPerPixel;
     s.time = static_cast<double>(asked.seconds);
-    return renderer.draw(p, viewOf(*eye), s);
+    return drawSettled(renderer, p, viewOf(*eye), s);
 }
 
 Picture pictureOfBytes(int width, int height, const std::vector<uint8_t>& rgb) {

@@ -86,9 +86,11 @@ void tellOfDrawing(Messages& m, const Status& status) {
     }
 }
 
-double drawTimed(const SceneParts& p, const ViewCamera& camera, const ViewSettings& settings) {
+double drawTimed(const SceneParts& p, const ViewCamera& camera, ViewSettings settings) {
     const auto start = std::chrono::steady_clock::now();
-    const Status status = p.renderer.draw(projectShown(p.doc), camera, settings);
+    settings.begin = std::exchange(p.picture.begunRevision, p.doc.revision()) != p.doc.revision();
+    const Status status = p.clock.refineNow ? drawSettled(p.renderer, projectShown(p.doc), camera, settings)
+                                            : p.renderer.draw(projectShown(p.doc), camera, settings);
     p.renderer.finish();
     tellOfDrawing(p.messages, status);
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();

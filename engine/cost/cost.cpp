@@ -15,6 +15,7 @@
 #include "gpu/timer.h"
 #include "maps/map_io.h"
 #include "project/project_files.h"
+#include "scene/antialias.h"
 #include "world/view_camera.h"
 
 namespace sward {
@@ -80,10 +81,32 @@ Result<Prepared> prepare(const Sweep& s, size_t row) {
         return st.error();
     return p;
 }
+// Frames that add up are judged as a walker sees them: they come up to the camera, a step and a sixtieth of a second
+// each, and the last stands where the others' one picture is taken from.
+constexpr double kStepSeconds = 1.0 / 60, kStep = 1.4 * kStepSeconds;  // metres: walking pace
+// The frame that comes so many steps before the camera.
+Status drawBefore(Sweep& s, Prepared& p, int steps) {
+    ViewCamera camera = p.camera;
+    ViewSettings view = p.view;
+    const glm::dvec3 ahead(camera.target.x - camera.eye.x, 0, camera.target.z - camera.eye.z);
+    const glm::dvec3 back = -kStep * steps * ahead / std::max(glm::length(ahead), 1e-9);
+    camera.eye += back, camera.target += back;
+    view.time -= kStepSeconds * steps;
+    p.view.begin = false;
+    return s.renderer.draw(p.project, camera, view);
+}
+Status walkUp(Sweep& s, Prepared& p) {
+    const Antialias* temporal = temporalOf(p.project);
+    p.view.begin = temporal != nullptr;
+    for (int steps = temporal ? temporal->frames - 1 : 0; steps > 0; --steps)
+        if (Status st = drawBefore(s, p, steps); !st) return st;
+    return {};
+}
 // Milliseconds of one frame with one finish at its end.
 Result<double> frameMs(Sweep& s, Prepared& p) {
     const auto start = std::chrono::steady_clock::now();
     if (Status st = s.renderer.draw(p.project, p.camera, p.view); !st) return st.error();
+    p.view.begin = false;
     s.renderer.finish();
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
@@ -93,8 +116,13 @@ glm::vec2 offsetOf(int i) {
     const glm::vec2 at = glm::fract(static_cast<float>(i) * glm::vec2(0.7548777f, 0.5698403f) + 0.5f);
     return at - 0.5f;
 }
-// The mean of the frame that was drawn last and others, whose times are added.
+// The mean of the frame that was drawn last and others, whose times are added; of frames that add up, what they come to
+// at rest.
 Result<Picture> convergedPicture(Sweep& s, Prepared& p, std::vector<double>& ms) {
+    if (temporalOf(p.project)) {
+        if (Status st = drawSettled(s.renderer, p.project, p.camera, p.view); !st) return st.error();
+        return pictureOfLinear(p.view.width, p.view.height, s.renderer.readLinear());
+    }
     std::vector<float> sum = s.renderer.readLinear();
     for (int i = 1; i < kConvergedFrames; ++i) {
         if (!s.progress("", -1)) return stopped();
@@ -191,7 +219,9 @@ std::string tooSlow(const Sweep& s, size_t row, const Prepared& p) {
 // A frame that makes what the setting draws with, and one that is the row's first time; beyond the limit another, since
 // what is left out takes others with it.
 Status drawTwice(Sweep& s, Prepared& p, CostRow& row) {
+    p.view.begin = true;
     if (auto first = frameMs(s, p); !first) return first.error();
+    if (Status st = walkUp(s, p); !st) return st;
     auto ms = frameMs(s, p);
     if (!ms) return ms.error();
     if (*ms > s.msLimit)
@@ -250,7 +280,8 @@ fs::path timesFile(const Sweep& s) {
 Status timeRow(Sweep& s, size_t i, std::vector<double>& ms) {
     auto p = prepare(s, i);
     if (!p) return p.error();
-    if (auto warm = frameMs(s, *p); !warm) return warm.error();
+    p->view.begin = true;
+    if (Status st = drawBefore(s, *p, temporalOf(p->project) ? 1 : 0); !st) return st;
     auto took = frameMs(s, *p);
     if (!took) return took.error();
     ms.push_back(*took);

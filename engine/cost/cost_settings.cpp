@@ -1,6 +1,7 @@
 #include "cost/cost_settings.h"
 
 #include "core/json.h"
+#include "scene/antialias.h"
 #include "scene/forest_technique.h"
 
 namespace sward {
@@ -34,6 +35,17 @@ Result<bool> setView(ViewSettings& view, const std::string& name, const std::str
     else
         view.detail = static_cast<float>(number);
     return true;
+}
+
+// True if the value said how pixels come to their samples.
+Result<bool> setAntialiasing(Project& project, const std::string& name, const std::string& value) {
+    if (name != kAntialiasSetting) return false;
+    for (size_t i = 0; i < std::size(kAntialiasings); ++i)
+        if (value == kAntialiasings[i]) {
+            setAntialias(project, static_cast<Antialiasing>(i));
+            return true;
+        }
+    return usage(name + "=" + value + " does not exist", "msaa or temporal");
 }
 
 // What a technique's row tries, around each field's own values: sweep(one of `each`) is a list, equally long for all.
@@ -78,6 +90,9 @@ Status applyTo(Project& project, const Tables& tables, const std::string& entity
     for (const std::string& text : setting.values) {
         const auto v = settingValue(text);
         if (!v) return v.error();
+        const auto ofAll = setAntialiasing(project, v->name, v->value);
+        if (!ofAll) return ofAll.error();
+        if (*ofAll) continue;
         const auto ofView = setView(view, v->name, v->value);
         if (!ofView) return ofView.error();
         if (*ofView || !v->isFor(entity)) continue;

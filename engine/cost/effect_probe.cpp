@@ -28,7 +28,7 @@ ViewSettings settingsOf(const EffectRequest& r) {
 }
 
 Result<std::vector<uint8_t>> drawn(Renderer& renderer, const Probe& p, const Project& project) {
-    if (Status s = renderer.draw(project, p.request.camera, p.settings); !s) return s.error();
+    if (Status s = drawSettled(renderer, project, p.request.camera, p.settings); !s) return s.error();
     return renderer.readImage();
 }
 

@@ -4,6 +4,7 @@
 
 #include "grass/drawing.h"
 #include "grass/mesh_grass_settings.h"
+#include "scene/antialias.h"
 #include "scene/forest.h"
 #include "scene/ground_path.h"
 #include "scene/map_layers.h"
@@ -68,6 +69,7 @@ constexpr FeatureSwitch kSwitches[] = {
     {Feature::ForceMap, kField, "forces"},
     {Feature::FarDarkening, kFar, "farDarkening", "0"},
     {Feature::FarBlur, kFar, "farBlur", "none"},
+    {Feature::Temporal, isRowOf<Antialias>, "antialias", "msaa"},
     {Feature::Sky, isRowOf<Sky>, "intensity", "0"},
     {Feature::Atmosphere, isRowOf<Sky>, "model", "clear"},
     {Feature::Fog, isRowOf<Fog>, "visibility", "inf"},

@@ -176,6 +176,7 @@ void draw(DrawContext& ctx) {
         const glm::vec3& scatter = g.here->scatter[g.species];
         glUniform3f(4, scatter.x, scatter.y, scatter.z);
         glUniform1f(5, g.here->rule.verticalScale);
+        glUniform1f(6, 1 / g.here->rule.stiffness);
         drawMesh(ctx, *g.mesh, s.white, g.first, g.seen);
     }
 }
@@ -187,7 +188,10 @@ const Pass kPasses[] = {{"forest/trees",
                          kViewMain | kViewReflection,
                          {.reads = {Slot::Shadows}, .appends = {Slot::SceneColor, Slot::SceneDepth}},
                          kPrograms,
-                         draw}};
+                         draw,
+                         {},
+                         false,
+                         true}};
 
 }  // namespace
 

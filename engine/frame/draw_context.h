@@ -107,7 +107,8 @@ inline constexpr GLuint kStencilGround = 0x80;  // the stencil's bit that says w
 // The targets of one view.
 struct ViewTargets {
     Texture color, depth, resolved,
-        image;  // RGBA16F and D32F of all samples; RGBA16F; RGBA8. One sample: no color, drawn into resolved
+        image;       // RGBA16F and D32F of all samples; RGBA16F; RGBA8. One sample: no color, drawn into resolved
+    Texture motion;  // RGBA16F, where frames add up (post/antialias.h): metres moved since the frame before
     Framebuffer scene, resolve, final;
     int width = 0, height = 0, samples = 0;
     bool stencil = false;  // whether depth has one: D32F_S8
@@ -118,7 +119,11 @@ struct TargetsWanted {
     bool stencil = false;                    // beside the depth
     int levels = 1;                          // of what is resolved; 0: all
     bool image = false;                      // whether there is one to show on a screen
+    bool motion = false;                     // beside a colour of one sample
 };
+// Whether a view's pictures add up to what it shows (post/antialias.h): not one that is drawn in pieces, nor false
+// colours.
+bool framesAddUp(const FramePlan& plan, const ViewSettings& s);
 // Empty targets; `owner` ("domain/stem") is charged for their bytes.
 ViewTargets makeTargets(Gpu& gpu, const std::string& owner, const TargetsWanted& wanted);
 // The line that says to lib/scene_depth.glsl which of the two forms depth has; both, for ProgramRow.

@@ -95,7 +95,10 @@ FramePlan planFrame(const FeatureSet& features, unsigned views, std::span<const 
     std::sort(plan.effects.begin(), plan.effects.end(),
               [](const EffectRow* a, const EffectRow* b) { return std::string_view(a->name) < b->name; });
     plan.steps = inOrder(std::move(steps));
-    for (const Pass* p : plan.passes()) plan.stencil |= p->stencil;
+    for (const Pass* p : plan.passes()) {
+        plan.stencil |= p->stencil;
+        plan.motion |= p->follows;
+    }
     return plan;
 }
 

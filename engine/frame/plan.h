@@ -22,6 +22,7 @@ struct FramePlan {
     std::string constants;  // featureConstants(features)
     unsigned views = 0;
     bool stencil = false;                   // a pass needs one
+    bool motion = false;                    // a pass follows what moves
     std::vector<const EffectRow*> effects;  // by name
     std::vector<Step> steps;                // in the order in which they run
     std::vector<const Pass*> passes() const;

@@ -61,11 +61,20 @@ glm::mat4 jitterProjection(const ViewSettings& s) {
 
 // With a stencil only where a pass asks for it. One sample is no multisample texture: drivers may
 // give that four.
-void ensureTargets(Gpu& gpu, ViewTargets& t, int width, int height, int msaa, bool stencil) {
-    const int samples = std::clamp(msaa, 1, std::max(gpu.maxSamples, 1));
-    if (t.width == width && t.height == height && t.samples == samples && t.stencil == stencil) return;
+void ensureTargets(Gpu& gpu, ViewTargets& t, const ViewSettings& s, const FramePlan& plan) {
+    const bool motion = framesAddUp(plan, s);
+    const int samples = motion ? 1 : std::clamp(s.msaa, 1, std::max(gpu.maxSamples, 1));
+    if (t.width == s.width && t.height == s.height && t.samples == samples && t.stencil == plan.stencil &&
+        (t.motion.id() != 0) == motion)
+        return;
     t = {};
-    t = makeTargets(gpu, "frame/targets", {width, height, samples, stencil, 1, true});
+    t = makeTargets(gpu, "frame/targets", {s.width, s.height, samples, plan.stencil, 1, true, motion});
+}
+
+// Into what of the scene's target a pass draws: beside the colour how far things move, where it says that.
+void drawInto(const ViewTargets& t, bool motion) {
+    static constexpr GLenum kBoth[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+    if (t.motion.id()) glNamedFramebufferDrawBuffers(t.scene.id(), motion ? 2 : 1, kBoth);
 }
 
 // The fixed state that every pass may rely on; a pass that changes more restores it. The rest is as a context begins,
@@ -79,8 +88,10 @@ constexpr SlotSet kScene{Slot::SceneColor, Slot::SceneDepth};
 void beginScene(const ViewTargets& t) {
     glBindFramebuffer(GL_FRAMEBUFFER, t.scene.id());
     glViewport(0, 0, t.width, t.height);
-    const float black[] = {0, 0, 0, 1};
+    const float black[] = {0, 0, 0, 1}, still[] = {0, 0, 0, 0};
+    drawInto(t, true);
     glClearNamedFramebufferfv(t.scene.id(), GL_COLOR, 0, black);
+    if (t.motion.id()) glClearNamedFramebufferfv(t.scene.id(), GL_COLOR, 1, still);
     glClearNamedFramebufferfi(t.scene.id(), GL_DEPTH_STENCIL, 0, 0, 0);
 }
 
@@ -110,7 +121,7 @@ Frustum frustumOf(const glm::mat4& m) {
 
 ViewTargets makeTargets(Gpu& gpu, const std::string& owner, const TargetsWanted& wanted) {
     ViewTargets t;
-    const auto [width, height, samples, stencil, levels, image] = wanted;
+    const auto [width, height, samples, stencil, levels, image, motion] = wanted;
     const GLenum depth = stencil ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F;
     t.resolved = makeTexture2D(gpu, owner, GL_RGBA16F, width, height, levels);
     if (samples > 1) t.color = makeTexture2DMultisample(gpu, owner, GL_RGBA16F, width, height, samples);
@@ -118,6 +129,10 @@ ViewTargets makeTargets(Gpu& gpu, const std::string& owner, const TargetsWanted&
                           : makeTexture2D(gpu, owner, depth, width, height);
     if (image) t.image = makeTexture2D(gpu, owner, GL_RGBA8, width, height);
     t.scene = makeFramebuffer(samples > 1 ? t.color.id() : t.resolved.id(), t.depth.id(), "frame/scene");
+    if (motion) {
+        t.motion = makeTexture2D(gpu, owner, GL_RGBA16F, width, height);
+        glNamedFramebufferTexture(t.scene.id(), GL_COLOR_ATTACHMENT1, t.motion.id(), 0);
+    }
     t.resolve = makeFramebuffer(t.resolved.id(), 0, "frame/resolve");
     if (image) t.final = makeFramebuffer(t.image.id(), 0, "frame/image");
     t.width = width, t.height = height, t.samples = samples;
@@ -159,6 +174,10 @@ size_t drawNodes(const GroundMesh& mesh, std::span<const TerrainNode> nodes, con
 
 ProgramSources sourcesOf(const ProgramRow& p) {
     return {p.name, p.vertex, p.fragment, p.compute, p.control, p.evaluation};
+}
+
+bool framesAddUp(const FramePlan& plan, const ViewSettings& s) {
+    return plan.motion && s.part.wholeWidth <= 0 && s.mode == ViewMode::Final;
 }
 
 bool sketchLeavesOut(Stage stage, const FramePlan& plan) {
@@ -278,9 +297,10 @@ struct Renderer::Impl {
     DrawnBeside drawn;
     bool beside = false;  // as the last draw was asked for
     Sketch sketch;
-    bool sketched = false;     // the last draw made a sketch
-    bool programsWait = true;  // of what is planned some may not be there yet
-    bool begun = false;        // a sketch of what is planned was drawn
+    bool sketched = false;      // the last draw made a sketch
+    bool programsWait = true;   // of what is planned some may not be there yet
+    bool begun = false;         // a sketch of what is planned was drawn
+    bool wholePicture = false;  // the last draw was no quick one
 
     Impl(Gpu& g, const Tables& t) : gpu(g), tables(t) { empty = makeVertexArray("frame/empty"); }
 
@@ -415,6 +435,7 @@ struct Renderer::Impl {
         ctx.row = &row;
         const bool labelled = gpu.watched || ctx.settings.measure;
         if (labelled) glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, pass.name.c_str());
+        drawInto(ctx.targets, row.moves);
         if (ctx.settings.measure) timer.begin();
         row.draw(ctx);
         if (ctx.settings.measure) {
@@ -467,7 +488,7 @@ Status Renderer::draw(const Project& painted, const ViewCamera& camera, const Vi
     r.stats = {};
     r.replan(project);
     if (Status s = r.check(project); !s) return s;
-    ensureTargets(r.gpu, r.targets, settings.width, settings.height, settings.msaa, r.main.plan.stencil);
+    ensureTargets(r.gpu, r.targets, settings, r.main.plan);
     FrameGlobals globals{};
     fillView(globals, camera, settings,
              jitterProjection(settings) * partProjection(settings) *
@@ -475,6 +496,7 @@ Status Renderer::draw(const Project& painted, const ViewCamera& camera, const Vi
              r.targets.samples);
     beginShared(r.main.shared, std::move(r.main.shared));
     r.beginSketch(settings);
+    r.wholePicture = settings.msaa > 1 && settings.detail >= 1;
     DrawContext ctx = r.context(project, r.main, camera, settings, r.targets, globals, r.stats);
     r.maps.beginFrame();
     r.run(ctx, r.main);
@@ -488,8 +510,17 @@ Status Renderer::draw(const Project& painted, const ViewCamera& camera, const Vi
     return {};
 }
 
+Status drawSettled(Renderer& renderer, const Project& project, const ViewCamera& camera, const ViewSettings& settings) {
+    ViewSettings s = settings;
+    s.begin = true;
+    Status done = renderer.draw(project, camera, s);
+    for (s.begin = false; done && renderer.addsUp();) done = renderer.draw(project, camera, s);
+    return done;
+}
+
 unsigned Renderer::image() const { return impl_->targets.image.id(); }
 const FrameStats& Renderer::stats() const { return impl_->stats; }
+bool Renderer::addsUp() const { return impl_->stats.addsUp; }
 std::vector<JobNews> Renderer::jobs() const {
     std::vector<JobNews> out;
     const auto add = [&](const States& states) {
@@ -502,6 +533,7 @@ std::vector<JobNews> Renderer::jobs() const {
     impl_->drawn.news(out);
     // Finished: the next draw shows more.
     if (impl_->sketched) out.push_back({"programs", 1, true});
+    if (impl_->stats.addsUp && impl_->wholePicture) out.push_back({"samples", 1, true});
     return out;
 }
 

@@ -56,6 +56,7 @@ struct ViewSettings {
     bool coarse = false;  // grass by its cheapest tiers, as in water: vertical slices from the eye on, else blades
     glm::vec2 jitter{
         0};  // pixels by which the picture is moved right and up; fractions move samples, so that frames add up
+    bool begin = false;  // nothing of earlier pictures goes into this one: the project is another one since
     bool background =
         false;  // what must be made first is made beside, with a draft shown until it is there; else it is waited for
     bool measure = false;  // per-pass ms and counts (slower: a finish after each pass on a software renderer)
@@ -77,7 +78,8 @@ struct FrameStats {
     uint64_t cells = 0;                                    // drawn this frame
     uint64_t gpuBytes = 0;
     double cpuCullMs = 0;
-    double frameMs = 0;  // wall, with one finish at the end if measured
+    bool addsUp = false;  // another draw of the same view would add samples to the picture
+    double frameMs = 0;   // wall, with one finish at the end if measured
 };
 
 struct LayerNote;
@@ -93,6 +95,8 @@ class Renderer {
     std::vector<uint8_t> readImage() const;  // RGB8, first row on top
     std::vector<float> readLinear() const;   // RGB floats before tone mapping, first row on top
     const FrameStats& stats() const;
+    // Whether another draw of the same view would add samples to the picture (post/antialias.h).
+    bool addsUp() const;
     // The project with what changes its maps where it is drawn (world/drawn_project.h), made anew only where it changed
     // since the last draw; valid until the next call or draw.
     const Project& asDrawn(const Project& project);
@@ -112,6 +116,9 @@ class Renderer {
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
+
+// One settled picture, begun anew: Renderer::draw, and as often again as that adds samples.
+Status drawSettled(Renderer& renderer, const Project& project, const ViewCamera& camera, const ViewSettings& settings);
 
 // Eye-relative world to clip: reversed depth, far plane at infinity.
 glm::mat4 viewProjection(const ViewCamera& camera, int width, int height);

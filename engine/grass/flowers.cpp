@@ -192,7 +192,9 @@ const Pass kPasses[] = {
      {.reads = {Slot::Grass, Slot::Forces, Slot::Shadows}, .appends = {Slot::SceneColor, Slot::SceneDepth}},
      kPrograms,
      draw,
-     featureSet(Feature::GrassBlended)}};
+     featureSet(Feature::GrassBlended),
+     false,
+     true}};
 
 }  // namespace
 

@@ -266,7 +266,9 @@ const Pass kPasses[] = {{"grass/geometry/cells",
                           .appends = {Slot::SceneColor, Slot::SceneDepth}},
                          kPrograms,
                          draw,
-                         featureSet(Feature::GrassBlended)}};
+                         featureSet(Feature::GrassBlended),
+                         false,
+                         true}};
 const Follows kFollows[] = {{Feature::Wind, "blades bend and quiver each by itself"},
                             {Feature::Forces, "blades are laid down each its own way"},
                             {Feature::ForceMap, "blades are laid down each its own way"}};

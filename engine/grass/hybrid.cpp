@@ -129,7 +129,8 @@ std::vector<SettingValues> hybridSweep(const FieldEntity& field) {
     for (const double near : {0.25, 0.5, 0.7071, 1.0, 1.4142, 2.0})
         for (const double far : {0.5, 1.0, 2.0}) out.push_back(scaledTiers(own, near, far, "msaa=4"));
     for (const double near : {0.5, 1.0, 2.0}) out.push_back(scaledTiers(own, near, 1, "msaa=1"));
-    for (const char* msaa : {"msaa=1", "msaa=4"}) out.push_back({"middleTier=raytraced", msaa});
+    out.push_back({kTemporalSetting});
+    out.push_back({"middleTier=raytraced", "msaa=4"});
     for (const char* one : {"sharpness=0", "sharpness=1", "sharpness=2", "filtering=trilinear", "sliceCover=published",
                             "lightWeights=published", "transparency=both", "storage=compressed"})
         out.push_back({one, "msaa=4"});
@@ -140,6 +141,7 @@ std::vector<SettingValues> geometrySweep(const FieldEntity&) {
     std::vector<SettingValues> out;
     for (const char* detail : {"detail=0.125", "detail=0.25", "detail=0.5", "detail=1"})
         for (const char* msaa : {"msaa=1", "msaa=4"}) out.push_back({detail, msaa});
+    out.push_back({kTemporalSetting});
     return out;
 }
 SettingValues slicesScaled(const HybridTiers& own, double far, const char* msaa) {
@@ -151,9 +153,10 @@ std::vector<SettingValues> slicesSweep(const FieldEntity& field) {
     std::vector<SettingValues> out;
     for (const double far : {0.5, 1.0, 2.0}) out.push_back(slicesScaled(own, far, "msaa=4"));
     out.push_back({"msaa=1"});
+    out.push_back({kTemporalSetting});
     return out;
 }
-std::vector<SettingValues> flatSweep(const FieldEntity&) { return {{"msaa=1"}, {"msaa=4"}}; }
+std::vector<SettingValues> flatSweep(const FieldEntity&) { return {{"msaa=1"}, {"msaa=4"}, {kTemporalSetting}}; }
 
 // --- what a fit turns ------------------------------------------------------------------------------------------------
 constexpr KnobRow kFarKnob{"far", true, 1, 0, 1e30, true}, kSharpnessKnob{"sharpness", false, 0, -8, 8, true},

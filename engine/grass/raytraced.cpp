@@ -166,7 +166,9 @@ const Pass kPasses[] = {{"grass/raytraced",
                           .appends = {Slot::SceneColor, Slot::SceneDepth}},
                          kPrograms,
                          draw,
-                         featureSet(Feature::GrassBlended)}};
+                         featureSet(Feature::GrassBlended),
+                         false,
+                         true}};
 const Follows kFollows[] = {
     {Feature::Wind, "rays lean against the gust, so that slices lean with it"},
     {Feature::Forces, "the shell sinks and leans"},

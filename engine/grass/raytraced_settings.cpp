@@ -28,6 +28,7 @@ std::vector<SettingValues> sweep(const FieldEntity&) {
     for (const char* one :
          {"rest=opaque", "rest=nothing", "sliceCover=published", "sets=shared", "visibility=scene", "footprint=0"})
         out.push_back({one, "msaa=4"});
+    out.push_back({kTemporalSetting});
     return out;
 }
 

@@ -414,7 +414,9 @@ const Pass kSlicePasses[] = {{"grass/slices",
                                .appends = {Slot::SceneColor, Slot::SceneDepth}},
                               kSlicePrograms,
                               drawSlices,
-                              featureSet(Feature::GrassBlended)}};
+                              featureSet(Feature::GrassBlended),
+                              false,
+                              true}};
 constexpr const char* kRepeats = "slices are images of one patch: grass that is drawn by them repeats it";
 constexpr const char* kSinks = "slices sink and lean";
 constexpr const char* kLies = "the horizontal slice covers what sunk slices leave, as grass that lies";

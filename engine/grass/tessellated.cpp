@@ -103,8 +103,10 @@ void updateMeshes(DrawContext& ctx) {
 
 // --- cells, in pieces, and the batches in which they are drawn ---------------------------------------------
 
+bool bladesShadeBlades(const FeatureSet& f) { return has(f, Feature::BladeShadows) && has(f, Feature::CastingLights); }
 size_t vertexBytes(const FeatureSet& features) {
-    return 4 * (has(features, Feature::BladeShadows) && has(features, Feature::CastingLights) ? 12 : 8);
+    const size_t lit = bladesShadeBlades(features) ? 12 : 8;
+    return 4 * (lit + (has(features, Feature::Temporal) ? 2 : 0));
 }
 uint32_t pieceBlades(const Gpu& gpu) { return gpu.software ? kSoftwarePiece : kPiece; }
 
@@ -235,29 +237,35 @@ std::vector<uint32_t> stripIndices(int most, uint32_t blades) {
     return out;
 }
 
-void describeVertices(GLuint mesh, GLuint vertices, size_t stride) {
-    struct Attribute {
-        GLint size;
-        GLenum type;
-        GLuint offset;
-    };
-    static constexpr Attribute kAttributes[] = {
-        {4, GL_FLOAT, 0},       {4, GL_HALF_FLOAT, 16}, {2, GL_UNSIGNED_SHORT, 24}, {1, GL_UNSIGNED_INT, 28},
-        {4, GL_HALF_FLOAT, 32}, {2, GL_BYTE, 40},       {1, GL_HALF_FLOAT, 42},     {2, GL_HALF_FLOAT, 44}};
-    glVertexArrayVertexBuffer(mesh, 0, vertices, 0, static_cast<GLsizei>(stride));
-    for (GLuint i = 0; i < std::size(kAttributes); ++i) {
-        const Attribute& a = kAttributes[i];
-        if (a.offset >= stride) {
-            glDisableVertexArrayAttrib(mesh, i);
-            continue;
-        }
-        glEnableVertexArrayAttrib(mesh, i);
-        glVertexArrayAttribBinding(mesh, i, 0);
-        if (a.type == GL_UNSIGNED_INT)
-            glVertexArrayAttribIFormat(mesh, i, a.size, a.type, a.offset);
-        else
-            glVertexArrayAttribFormat(mesh, i, a.size, a.type, a.type != GL_FLOAT && a.type != GL_HALF_FLOAT, a.offset);
-    }
+struct Attribute {
+    GLint size;
+    GLenum type;
+    GLuint offset;
+};
+// By location, as tessellated_strip.vert.glsl has them: always; where blades shade blades; and where frames add up.
+constexpr Attribute kDrawn[] = {
+    {4, GL_FLOAT, 0}, {4, GL_HALF_FLOAT, 16}, {2, GL_UNSIGNED_SHORT, 24}, {1, GL_UNSIGNED_INT, 28}};
+constexpr Attribute kShaded[] = {
+    {4, GL_HALF_FLOAT, 32}, {2, GL_BYTE, 40}, {1, GL_HALF_FLOAT, 42}, {2, GL_HALF_FLOAT, 44}};
+constexpr GLuint kMovedAt = 8;
+
+void describe(GLuint mesh, GLuint location, const Attribute& a) {
+    glEnableVertexArrayAttrib(mesh, location);
+    glVertexArrayAttribBinding(mesh, location, 0);
+    if (a.type == GL_UNSIGNED_INT)
+        glVertexArrayAttribIFormat(mesh, location, a.size, a.type, a.offset);
+    else
+        glVertexArrayAttribFormat(mesh, location, a.size, a.type, a.type != GL_FLOAT && a.type != GL_HALF_FLOAT,
+                                  a.offset);
+}
+void describeVertices(GLuint mesh, GLuint vertices, const FeatureSet& features) {
+    const bool shaded = bladesShadeBlades(features), moved = has(features, Feature::Temporal);
+    glVertexArrayVertexBuffer(mesh, 0, vertices, 0, static_cast<GLsizei>(vertexBytes(features)));
+    for (GLuint i = 0; i <= kMovedAt; ++i) glDisableVertexArrayAttrib(mesh, i);
+    for (GLuint i = 0; i < std::size(kDrawn); ++i) describe(mesh, i, kDrawn[i]);
+    for (GLuint i = 0; shaded && i < std::size(kShaded); ++i)
+        describe(mesh, static_cast<GLuint>(std::size(kDrawn)) + i, kShaded[i]);
+    if (moved) describe(mesh, kMovedAt, {3, GL_HALF_FLOAT, shaded ? 48u : 32u});
 }
 
 void prepareStrips(DrawContext& ctx, Selection& s, const FeatureSet& features, int smoothness) {
@@ -275,7 +283,7 @@ void prepareStrips(DrawContext& ctx, Selection& s, const FeatureSet& features, i
     if (s.strips.id() && s.described == described) return;
     s.described = described;
     if (!s.strips.id()) s.strips = makeVertexArray(kOwner);
-    describeVertices(s.strips.id(), s.vertices.id(), size);
+    describeVertices(s.strips.id(), s.vertices.id(), features);
     glVertexArrayElementBuffer(s.strips.id(), m.indices.id());
 }
 
@@ -397,7 +405,9 @@ const Pass kPasses[] = {{"grass/tessellated/cells",
                           .appends = {Slot::SceneColor, Slot::SceneDepth}},
                          kPrograms,
                          draw,
-                         featureSet(Feature::GrassBlended)}};
+                         featureSet(Feature::GrassBlended),
+                         false,
+                         true}};
 const Follows kFollows[] = {{Feature::Wind, "blades bend and quiver each by itself"},
                             {Feature::Forces, "blades are laid down each its own way"},
                             {Feature::ForceMap, "blades are laid down each its own way"}};

@@ -36,7 +36,7 @@ std::vector<SettingValues> sweep(const FieldEntity& field) {
     std::vector<SettingValues> out;
     for (const double far : {0.5, 1.0})
         out.push_back({rounded("maxDistance", static_cast<double>(own.maxDistance) * far), "msaa=4"});
-    for (const char* one : {"thinning=0", "levelBy=pixels", "msaa=1"}) out.push_back({one});
+    for (const char* one : {"thinning=0", "levelBy=pixels", "msaa=1", kTemporalSetting}) out.push_back({one});
     return out;
 }
 

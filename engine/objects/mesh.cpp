@@ -103,7 +103,10 @@ const Pass kPasses[] = {{"objects/mesh",
                          kViewMain | kViewReflection,
                          {.reads = {Slot::Shadows}, .appends = {Slot::SceneColor, Slot::SceneDepth}},
                          kPrograms,
-                         draw}};
+                         draw,
+                         {},
+                         false,
+                         true}};
 
 }  // namespace
 

@@ -20,16 +20,20 @@ std::string meshesUpTo(float metres) { return fmt::format("meshesTo={:g}", metre
 
 Settings texcells(const Forest& f) {
     const std::string own = meshesUpTo(f.meshesTo);
-    Settings out{{own, "msaa=4"}, {own, "msaa=1"}};
+    Settings out{{own, "msaa=4"}, {own, "msaa=1"}, {own, kTemporalSetting}};
     for (const float share : kFewerDistances) out.push_back({meshesUpTo(share > 0 ? share * f.meshesTo : 0), "msaa=4"});
     for (const float degrees : kOtherAngles) out.push_back({own, fmt::format("silhouetteDeg={:g}", degrees), "msaa=4"});
     return out;
 }
 Settings trees(const Forest& f) {
     const auto detail = [&](float factor) { return fmt::format("meshDetail={:g}", factor * f.meshDetail); };
-    return {{detail(1), "msaa=4"}, {detail(1), "msaa=1"}, {detail(0.5f), "msaa=4"}, {detail(2), "msaa=4"}};
+    return {{detail(1), "msaa=4"},
+            {detail(1), "msaa=1"},
+            {detail(1), kTemporalSetting},
+            {detail(0.5f), "msaa=4"},
+            {detail(2), "msaa=4"}};
 }
-Settings flat(const Forest&) { return {{"msaa=4"}, {"msaa=1"}}; }
+Settings flat(const Forest&) { return {{"msaa=4"}, {"msaa=1"}, {kTemporalSetting}}; }
 
 // Factors of the forest's own: how far meshes go, below which angle slices face the eye, how many leaves meshes keep.
 constexpr KnobRow kMeshes{"meshesTo", true, 1, 0, 1e30, true};

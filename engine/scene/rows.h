@@ -229,6 +229,8 @@ struct Pass {
     void (*draw)(DrawContext&);
     FeatureSet blendedWith = {};  // in a scene with one of these it needs what lies behind it
     bool stencil = false;         // the view's depth has one
+    bool moves = false;           // what it draws tells how far it moved (lib/motion.glsl),
+    bool follows = false;         // for who asks: the view has one sample, and a target for that
 };
 
 // CPU work once a frame, before drawing.

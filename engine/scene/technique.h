@@ -59,6 +59,8 @@ struct KnobRow {
     bool inGrid;  // the grid that a fit is held against has three values of it; at most three knobs have some
 };
 
+// The setting of the scene's Antialias (scene/antialias.h) that sweeps try beside those.
+inline constexpr const char* kTemporalSetting = "antialias=temporal";
 // The knob of samples a pixel, as a factor of the view's own 4, and the value that it stands for: "msaa=1", 2 or 4.
 inline constexpr KnobRow kSamplesKnob{"samples", true, 1, 0.25, 1, false};
 std::string samplesTurned(double knob);

@@ -1,5 +1,7 @@
 #include "sky/wind.h"
 
+#include <optional>
+
 #include "frame/draw_context.h"
 #include "world/wind.h"
 
@@ -8,6 +10,7 @@ namespace {
 
 struct WindView : EffectState {
     Buffer block;
+    std::optional<double> time;  // of the frame before
 };
 struct GustsState : EffectState {
     Map made;
@@ -15,10 +18,14 @@ struct GustsState : EffectState {
 
 // Both are bound for the whole frame: nothing else uses the bindings.
 void runWind(DrawContext& ctx) {
-    const WindGlobals g = windGlobals(*windOf(ctx.project), {ctx.eye.x, ctx.eye.z}, ctx.settings.time);
-    Buffer& block = ctx.ofView<WindView>().block;
-    writeBuffer(ctx.gpu, block, "sky/wind", sizeof(g), &g);
-    glBindBufferBase(GL_UNIFORM_BUFFER, UBO_WIND, block.id());
+    WindView& s = ctx.ofView<WindView>();
+    const Wind& wind = *windOf(ctx.project);
+    const glm::dvec2 eye(ctx.eye.x, ctx.eye.z);
+    const WindGlobals now = windGlobals(wind, eye, ctx.settings.time);
+    const WindGlobals winds[] = {now, s.time ? windGlobals(wind, eye, *s.time) : now};
+    s.time = ctx.settings.time;
+    writeBuffer(ctx.gpu, s.block, "sky/wind", sizeof(winds), winds);
+    glBindBufferBase(GL_UNIFORM_BUFFER, UBO_WIND, s.block.id());
 }
 void runGusts(DrawContext& ctx) {
     const Wind& wind = *windOf(ctx.project);

@@ -6,6 +6,7 @@
 #include "lib/lamp_shadow.glsl"
 #include "lib/lamps.glsl"
 #include "lib/light.glsl"
+#include "lib/motion.glsl"
 #include "lib/object_color.glsl"
 #include "lib/shadow.glsl"
 #include "numerics/forest.h"
@@ -26,7 +27,8 @@ in vec3 normal;
 in vec2 uv;
 in vec3 air;
 flat in float around;
-out vec4 color;
+in vec3 moved;
+layout(location = 0) out vec4 color;
 
 // Light from above, from below and from the leaves around.
 struct Around {
@@ -71,4 +73,5 @@ void main() {
     }
     if (LAMPS) light += lampsSent(n, own, leafThrough(own) * through);
     color = objectColor(light, n, position);
+    tellMotion(moved);
 }

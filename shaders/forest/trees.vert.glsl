@@ -1,13 +1,15 @@
 // A vertex of a tree that stands near the eye, and where in the forest's air it lies. Needs: const bool WIND,
-// FOREST_VOLUMES.
+// FOREST_VOLUMES, TEMPORAL.
 #include "lib/frame.glsl"
 #include "lib/mirror.glsl"
+#include "lib/wind.glsl"
 #include "numerics/forest.h"
 #include "shared/bindings.h"
 #include "shared/forest.h"
 
 layout(std140, binding = UBO_FOREST) uniform ForestBlock { ForestGlobals forest; };
 layout(location = 5) uniform float verticalScale;  // of the tree, against its mesh
+layout(location = 6) uniform float bends;          // of the forest: 1 / stiffness
 layout(location = 0) in vec3 meshPosition;
 layout(location = 1) in vec3 meshNormal;
 layout(location = 2) in vec2 meshUv;
@@ -21,6 +23,7 @@ out vec3 normal;
 out vec2 uv;
 out vec3 air;  // lattice coordinates as stored, and share of the forest's height
 flat out float around;
+out vec3 moved;  // metres since the frame before
 
 void main() {
     vec4 p = vec4(meshPosition, 1.0);
@@ -39,6 +42,12 @@ void main() {
         air.xy = footStored.xy + toLattice(vec2(position.x - row0.w, position.z - row2.w), forest.edge);
         air.z = (position.y - row1.w) / forest.height;
         around = footStored.z;
+    }
+    moved = vec3(0.0);
+    if (TEMPORAL && WIND) {
+        vec2 foot = vec2(row0.w, row2.w);
+        float strength = winds[NOW].strength * bends;
+        moved.xz = (windLeanAt(foot, -1.0, strength) - windLeanBefore(foot, -1.0, strength)) * (position.y - row1.w);
     }
     cutAtWater(position.y);
     gl_Position = frame.viewProj * vec4(position, 1.0);

@@ -1,6 +1,7 @@
 // A fragment of a flower: its image, coloured, in the light of its corners; covers its pixel as blades do.
 #include "lib/frame.glsl"
 #include "lib/light.glsl"
+#include "lib/motion.glsl"
 #include "lib/sliver.glsl"
 #include "lib/transparency.glsl"
 #include "numerics/flower.h"
@@ -15,12 +16,14 @@ in vec4 lit;
 in vec3 shown;
 flat in vec3 petal;
 flat in uint grain;
-out vec4 color;
+in vec3 moved;
+layout(location = 0) out vec4 color;
 
 void main() {
     vec4 t = texture(image, uv);
     float alpha = coveredAlpha(COVERAGE, t.a, grain);
     if (!(alpha > 0.0) || !lies(uv)) discard;
+    tellMotion(moved);
     vec3 light = flowerColor(t.rgb, petal, flowers.center, flowers.stem, flowers.made != 0) * lit.rgb;
     vec2 way = (gl_FragCoord.xy * frame.pixelShare * 2.0 - 1.0);
     vec4 there = frame.invViewProj * vec4(way, 1.0, 1.0);

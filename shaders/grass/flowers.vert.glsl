@@ -28,6 +28,7 @@ out vec4 lit;    // light on what faces so, over pi; w: share of haze
 out vec3 shown;  // normal
 flat out vec3 petal;
 flat out uint grain;
+out vec3 moved;  // metres since the frame before
 
 float densityAt(vec2 uv) {
     float tiling = flowers.tiling;
@@ -43,9 +44,10 @@ float densityAt(vec2 uv) {
                        t.fx, t.fy);
 }
 
-vec2 leanAt(Flower f, vec2 at, vec2 place) {
+// blown: lean by the wind.
+vec2 leanAt(Flower f, vec2 at, vec2 place, vec2 blown) {
     BladeStand s = emptyStand();
-    s.wind = windLeanAt(at, f.grain, wind.strength);
+    s.wind = blown;
     if ((FORCES && GRASS) || FORCE_MAP) {
         vec3 force = forceHere(at, place);
         s.push = force.xy;
@@ -78,10 +80,12 @@ void main() {
     lit = vec4(0.0);
     shown = petal = vec3(0.0);
     grain = 0u;
+    moved = vec3(0.0);
     gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
     if (!(size > 0.0)) return;
     float rises = min(size, 1.0);
-    vec3 stem = flowerStem(f, flowers.height * (1.0 + flowers.variation * f.taller), leanAt(f, at, place)) * rises;
+    float tall = flowers.height * (1.0 + flowers.variation * f.taller), strength = winds[NOW].strength;
+    vec3 stem = flowerStem(f, tall, leanAt(f, at, place, windLeanAt(at, f.grain, strength))) * rises;
     FlowerFrame b = flowerFrame(stem, f.facing, unitOr(-(root + stem), 1e-6, vec3(0.0, 1.0, 0.0)));
     float half_ = 0.5 * flowers.headSize * f.larger * size, across = float(corner & 1u) * 2.0 - 1.0,
           top = float((corner >> 1) & 1u);
@@ -92,5 +96,9 @@ void main() {
     petal = mix(flowers.petal, flowers.second, f.second);
     grain = hash3(uint(cell.x), uint(cell.y), number);
     lit = vec4(lightOn(position, shown, head ? 1.0 : flowerOpen(top), place), hazeShare(length(position)));
+    if (TEMPORAL) {
+        vec3 before = flowerStem(f, tall, leanAt(f, at, place, windLeanBefore(at, f.grain, strength))) * rises;
+        moved = (stem - before) * (head ? 1.0 : top);
+    }
     gl_Position = frame.viewProj * vec4(position, 1.0);
 }

@@ -17,6 +17,7 @@ centroid out vec3 turned;
 centroid out vec2 maskAt;
 centroid out vec3 strip;  // across, along; opacity
 flat out uint grain;      // a random number of the blade
+out vec3 moved;           // metres since the frame before
 
 void main() {
     Blade b = bladeHere();
@@ -27,6 +28,7 @@ void main() {
     maskAt = vec2(0.0);
     strip = vec3(0.0);
     grain = 0u;
+    moved = vec3(0.0);
     gl_Position =
         vec4(0.0, 0.0, 0.5, 1.0);  // dropped: no area. Not beyond a plane: then software clips the whole batch
     if (!exists(s)) return;
@@ -45,6 +47,11 @@ void main() {
     if (viewMode() == VIEW_NORMALS) lit.rgb = n * 0.5 + 0.5;
     strip = vec3(s.across + 0.5, s.v, s.opacity);
     grain = floatBitsToUint(b.dither);
+    if (TEMPORAL) {
+        BladePose before = poseBefore(b, s);
+        BladeFrame g = bladeFrameFacing(before.control, before.tip, before.facing, s.v);
+        moved = fromRoot - (g.position + g.side * (s.across * b.width * frame.widening));
+    }
     cutAtWater(position.y);
     gl_Position = frame.viewProj * vec4(position, 1.0);
 }

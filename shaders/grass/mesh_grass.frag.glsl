@@ -8,6 +8,7 @@
 #include "lib/field.glsl"
 #include "lib/frame.glsl"
 #include "lib/light.glsl"
+#include "lib/motion.glsl"
 #include "lib/scene_depth.glsl"
 #include "lib/shadow.glsl"
 #include "lib/slice_rays.glsl"
@@ -35,7 +36,7 @@ in vec3 bend;
 in float lift;
 flat in vec4 chart;
 flat in float part;  // below 0: it has an edge
-out vec4 color;
+layout(location = 0) out vec4 color;
 layout(depth_less) out float gl_FragDepth;
 
 const float kMostBent = 4.0;  // curvature of the surface that is followed at most, times the shell's height
@@ -81,12 +82,14 @@ mat3 fieldAxes(vec3 n, vec3 u, vec3 v) {
     return transpose(mat3(t, n, b));
 }
 
+// Lean by a wind, in the field's axes.
+vec2 leantBy(vec2 blown, mat3 toField) { return (toField * vec3(blown.x, 0.0, blown.y)).xz; }
+
 BladeStand standHere(vec3 foot, vec2 cells, mat3 toField) {
     BladeStand s = emptyStand();
     s.paint = GRASS_ORIENTATION ? paintOf(texture(orientationMap, uv).r, texture(orientationMap, uv).g) : vec2(0.0);
     s.leanAtFull = slices.leanAtFull;
-    vec2 blown = windLeanAt(foot.xz, -1.0, field.species[slices.species].gusts);
-    s.breeze = (toField * vec3(blown.x, 0.0, blown.y)).xz;
+    s.breeze = leantBy(windLeanAt(foot.xz, -1.0, field.species[slices.species].gusts), toField);
     vec2 whole = floor(cells);
     if (GRASS_CLUMPS && slices.clumpSize > 0.0)
         s.clump = clumpValues(int(whole.x), int(whole.y), (cells - whole) * slices.cellSize, slices.cellSize,
@@ -167,7 +170,9 @@ void main() {
     mat2 cellsAlong = mat2(vec2(t.x, b.x), vec2(t.z, b.z));
     vec2 cells = uv * (uvLength / slices.cellSize);
     float above = lift * slices.top;
-    BladeLean p = leanOf(standHere(start - n * above, cells, toField), vec2(0.0));
+    vec3 foot = start - n * above;
+    BladeStand stands = standHere(foot, cells, toField);
+    BladeLean p = leanOf(stands, vec2(0.0));
     float lean2 = min(dot(p.lean, p.lean), 0.9), upright = sqrt(1.0 - lean2);
     float height = max(slices.top * p.scale * upright, 1e-4), k = bendAlong(seen);
     k /= max(1.0 + k * above, 0.25);  // a lifted surface bends less
@@ -216,4 +221,8 @@ void main() {
     // No grass sinks into the surface on which it stands.
     if (scene > ahead) sum.depth = min(sum.depth, 0.98 * (scene - ahead));
     gl_FragDepth = depthOf(sum, shell, gl_FragCoord.z);
+    if (TEMPORAL) {
+        stands.breeze = leantBy(windLeanBefore(foot.xz, -1.0, field.species[slices.species].gusts), toField);
+        tellMotion(transpose(toField) * movedSince(sum, shell, ray, p, leanOf(stands, vec2(0.0))));
+    }
 }

@@ -6,6 +6,7 @@
 #include "lib/frame.glsl"
 #include "lib/heights.glsl"
 #include "lib/light.glsl"
+#include "lib/motion.glsl"
 #include "lib/scene_depth.glsl"
 #include "lib/shadow.glsl"
 #include "lib/slice_rays.glsl"
@@ -18,7 +19,7 @@
 
 in vec3 position;
 in vec2 place;
-out vec4 color;
+layout(location = 0) out vec4 color;
 layout(depth_less) out float gl_FragDepth;
 
 BladeStand standHere(vec3 foot, vec2 at, vec2 uv, out float press) {
@@ -98,7 +99,8 @@ void main() {
     float above = INSIDE ? -groundHeight(ground) : slices.top;
     vec3 foot = start - vec3(0.0, above, 0.0);
     float press;
-    BladeLean p = leanOf(standHere(foot, toCells(foot.xz), uv, press), vec2(0.0));
+    BladeStand stands = standHere(foot, toCells(foot.xz), uv, press);
+    BladeLean p = leanOf(stands, vec2(0.0));
     float lean2 = min(dot(p.lean, p.lean), 0.9), upright = sqrt(1.0 - lean2);
     float height = max(slices.top * p.scale * sunk(press) * upright, 1e-4);
     float sinks = way.y - dot(slopeHere(ground), way.xz);
@@ -143,5 +145,9 @@ void main() {
     if (!(color.a > 0.0)) discard;
     if (viewMode() == VIEW_OVERDRAW) color.a = 0.0;
     if (ENDS_AT_SCENE) sum.depth = min(sum.depth, 0.98 * scene);
+    if (TEMPORAL) {
+        stands.breeze = windLeanBefore(foot.xz, -1.0, field.species[slices.species].gusts);
+        tellMotion(movedSince(sum, shell, ray, p, leanOf(stands, vec2(0.0))));
+    }
     gl_FragDepth = depthOf(sum, shell, gl_FragCoord.z);
 }

@@ -1,6 +1,7 @@
 // A texel of a vertical slice: whether its blade is drawn here (density, distance, family), and how it is lit:
 // reflectance times the light of each image (Boulanger, Pattanaik and Bouatouch 2006, sections 3.3, 3.4, 4.2).
 #include "lib/frame.glsl"
+#include "lib/motion.glsl"
 #include "lib/shadow.glsl"
 #include "lib/slice_light.glsl"
 #include "lib/sliver.glsl"
@@ -20,8 +21,9 @@ in vec3 brighter;
 in vec4 lamp[3];
 in vec3 ambient;
 in vec4 haze;
+in vec3 moved;
 in vec2 weights;
-out vec4 color;
+layout(location = 0) out vec4 color;
 float level;  // of detail
 float fine;   // of what is lit: a mean of normals has less contrast than blades; opacity is a mean
 
@@ -54,6 +56,7 @@ void main() {
     float density = sliceDensity(fieldDensity(uv), weights.x) * weights.y;
     float alpha = coveredAlpha(TRANSPARENCY, storedOpacity(stored, density, level, chance), grain(level));
     if (!(alpha > 0.0) || !lies(vec2(0.5 * texel.x, texel.y))) discard;
+    tellMotion(moved);
     vec4 leaf = textureLod(sliceReflectance, texel, fine);
     leaf.rgb = paintedOver(leaf.rgb, uv);
     vec3 light = clamp(sliceRadiance(spotHere(), leaf.rgb, leaf.a, stored), vec3(0.0), vec3(kBrightest));

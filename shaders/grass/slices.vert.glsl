@@ -32,6 +32,7 @@ out vec3 brighter;      // of lamps' light
 out vec4 lamp[3];       // red, green, blue: lamps' light on the view's images; unless weights are taken per pixel
 out vec3 ambient;
 out vec4 haze;     // its colour times the share that it has; w: what is left to the slice
+out vec3 moved;    // metres since the frame before
 out vec2 weights;  // by distance, of what slices draw; by distance and view, of that what this family shows
 
 // What the place has for the blades that slices stand for; press: how far a force lays them down.
@@ -55,6 +56,12 @@ BladeStand standHere(vec2 inCell, vec2 uv, out float press) {
     return s;
 }
 
+// From a slice's foot up to its top, or to its own foot.
+vec3 riseOf(BladeLean p, float press, float top) {
+    float lean2 = min(dot(p.lean, p.lean), 0.9);
+    return top * slices.top * (p.scale * sunk(press)) * vec3(p.lean.x, sqrt(1.0 - lean2), p.lean.y);
+}
+
 // In slices, within ]-0.15, 0.15[: moves each end of a slice by a number of the cells' edge that it lies on, which the
 // neighbour shares. Without it the slices' straight tops, all at one distance, show as a weave.
 float jitter(int axis, int k, int end) {
@@ -72,9 +79,14 @@ void main() {
     vec2 ground = vec2(cell) * slices.cellSize + inCell, uv = mapPlace(ground);
     foot = vec3(cellCorner.x + inCell.x, groundHeight(ground), cellCorner.y + inCell.y);
     float press;
-    BladeLean p = leanOf(standHere(inCell, uv, press), vec2(0.0));
-    float lean2 = min(dot(p.lean, p.lean), 0.9);
-    vec3 position = foot + top * slices.top * (p.scale * sunk(press)) * vec3(p.lean.x, sqrt(1.0 - lean2), p.lean.y);
+    BladeStand stands = standHere(inCell, uv, press);
+    BladeLean p = leanOf(stands, vec2(0.0));
+    vec3 rise = riseOf(p, press, top), position = foot + rise;
+    moved = vec3(0.0);
+    if (TEMPORAL) {
+        stands.breeze = windLeanBefore(foot.xz, -1.0, field.species[slices.species].gusts);
+        moved = rise - riseOf(leanOf(stands, vec2(0.0)), press, top);
+    }
 
     vec2 signs = axis == 0 ? mirror : mirror.yx,
          begin = axis == 0 ? shift : shift.yx;  // along the normal, along the slice

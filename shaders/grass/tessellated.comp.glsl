@@ -28,8 +28,8 @@ uint pieceBlades = job.w;                // at most
 // Words of a vertex: clip position (4); light, as halves (2); along and opacity, as 16 bits each: coverage by chance
 // turns on their last bits (1); grain, whose first two bits are across and whether it is plain (1); where blades shade
 // blades, the sun's light as halves (2), how the blade is turned, as 8 bits, 8 bits and a half (1), and where in the
-// mask, as halves (1).
-const uint kWords = BLADE_SHADOWS && CASTING_LIGHTS ? 12u : 8u;
+// mask, as halves (1); where frames add up, metres that it moved since the frame before, as halves (2).
+const uint kLitWords = BLADE_SHADOWS && CASTING_LIGHTS ? 12u : 8u, kWords = kLitWords + (TEMPORAL ? 2u : 0u);
 
 void place(uint vertex, vec4 at) {
     uint w = vertex * kWords;
@@ -46,7 +46,12 @@ void look(uint vertex, TessBlade t, BladeLight l, vec3 fromRoot, vec3 strip) {
     words[w + 1u] = packHalf2x16(lit.zw);
     words[w + 2u] = packUnorm2x16(strip.yz);
     words[w + 3u] = t.grain | (strip.x > 0.5 ? 1u << 31 : 0u) | (t.plain ? 1u << 30 : 0u);
-    if (kWords == 8u) return;
+    if (TEMPORAL) {
+        vec3 moved = movedAt(t, strip.y);
+        words[vertex * kWords + kLitWords] = packHalf2x16(moved.xy);
+        words[vertex * kWords + kLitWords + 1u] = packHalf2x16(vec2(moved.z, 0.0));
+    }
+    if (kLitWords == 8u) return;
     words[w + 4u] = packHalf2x16(sunned.xy);
     words[w + 5u] = packHalf2x16(sunned.zw);
     words[w + 6u] = packSnorm4x8(vec4(l.turned.xy, 0.0, 0.0)) & 0xFFFFu |
@@ -157,7 +162,7 @@ void command(uint number, TessCell c, uint count) {
 
 bool shows(TessBlade t) {
     if (!(t.level > 0 && covers(t))) return false;
-    return !(ALL_OR_NOTHING && t.plain) || chanceCovers(t.opacity, t.grain);
+    return !(ALL_OR_NOTHING && t.plain) || chanceCovers(t.opacity, t.grain, frame.chanceShift);
 }
 
 // Number of the piece that an invocation takes: vectors of neighbours, and of each group from all over the batch, so

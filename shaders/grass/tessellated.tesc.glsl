@@ -2,10 +2,10 @@
 layout(vertices = 1) out;
 
 in vec4 bladeRoot[], bladeControl[], bladeTip[], bladeFacing[], bladePaint[];
-in vec3 bladeUpright[];
+in vec3 bladeUpright[], bladeControlBefore[], bladeTipBefore[];
 flat in uint bladeGrain[];
 out vec4 stemRoot[], stemControl[], stemTip[], stemFacing[], stemPaint[];
-out vec3 stemUpright[];
+out vec3 stemUpright[], stemControlBefore[], stemTipBefore[];
 flat out uint stemGrain[];
 
 void main() {
@@ -15,6 +15,8 @@ void main() {
     stemFacing[gl_InvocationID] = bladeFacing[gl_InvocationID];
     stemPaint[gl_InvocationID] = bladePaint[gl_InvocationID];
     stemUpright[gl_InvocationID] = bladeUpright[gl_InvocationID];
+    stemControlBefore[gl_InvocationID] = bladeControlBefore[gl_InvocationID];
+    stemTipBefore[gl_InvocationID] = bladeTipBefore[gl_InvocationID];
     stemGrain[gl_InvocationID] = bladeGrain[gl_InvocationID];
     float along = bladeRoot[gl_InvocationID].w, across = min(along, 1.0);
     gl_TessLevelOuter[0] = along;

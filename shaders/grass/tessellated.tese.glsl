@@ -10,7 +10,7 @@
 layout(quads, equal_spacing, ccw) in;
 
 in vec4 stemRoot[], stemControl[], stemTip[], stemFacing[], stemPaint[];
-in vec3 stemUpright[];
+in vec3 stemUpright[], stemControlBefore[], stemTipBefore[];
 flat in uint stemGrain[];
 centroid out vec4 lit;  // as in geometry.vert.glsl
 centroid out vec4 sunned;
@@ -18,6 +18,7 @@ centroid out vec3 turned;
 centroid out vec2 maskAt;
 centroid out vec3 strip;  // across (-1: a plain triangle), along; opacity
 flat out uint grain;
+out vec3 moved;
 
 TessBlade patchBlade() {
     TessBlade t;
@@ -25,6 +26,7 @@ TessBlade patchBlade() {
     t.pose.tip = stemTip[0].xyz;
     t.pose.facing = stemFacing[0].xy;
     t.pose.upright = stemUpright[0];
+    if (TEMPORAL) t.before.control = stemControlBefore[0], t.before.tip = stemTipBefore[0];
     t.root = stemRoot[0].xyz;
     t.uv = stemPaint[0].zw;
     t.width = stemControl[0].w;
@@ -51,6 +53,7 @@ void main() {
     maskAt = maskOf(t, middle + (2.0 * u - 1.0) * across);
     strip = vec3(t.plain ? -1.0 : u, v, t.opacity);
     grain = t.grain;
+    moved = movedAt(t, v);
     cutAtWater(t.root.y + f.position.y);
     gl_Position = frame.viewProj * vec4(t.root + f.position, 1.0);
 }

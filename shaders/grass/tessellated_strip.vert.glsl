@@ -11,6 +11,7 @@ layout(location = 4) in vec4 sun;
 layout(location = 5) in vec2 turn;
 layout(location = 6) in float highlight;
 layout(location = 7) in vec2 shadowAt;
+layout(location = 8) in vec3 since;
 
 centroid out vec4 lit;  // as in geometry.vert.glsl
 centroid out vec4 sunned;
@@ -18,6 +19,7 @@ centroid out vec3 turned;
 centroid out vec2 maskAt;
 centroid out vec3 strip;
 flat out uint grain;
+out vec3 moved;
 
 void main() {
     if (WATER_REFLECTION) {
@@ -29,6 +31,7 @@ void main() {
     sunned = sun;
     turned = vec3(turn, highlight);
     maskAt = shadowAt;
+    moved = TEMPORAL ? since : vec3(0.0);
     strip = vec3((number & (1u << 30)) != 0u ? -1.0 : float(number >> 31), along);
     grain = number & 0x3FFFFFFFu;
 }

@@ -1,5 +1,6 @@
 // Blades: whether one exists where it stands (density, distance), how it is posed (mirror, paint, clumps, wind,
-// forces). No fragment shaders. Needs: const bool GRASS_CLUMPS, GRASS_DENSITY, GRASS_HEIGHTS, WIND, FORCES, FORCE_MAP.
+// forces). No fragment shaders. Needs: const bool GRASS_CLUMPS, GRASS_DENSITY, GRASS_HEIGHTS, WIND, FORCES, FORCE_MAP,
+// TEMPORAL.
 #include "lib/field.glsl"
 #include "lib/density.glsl"
 #include "lib/force.glsl"
@@ -97,5 +98,12 @@ BladePose poseHere(Blade b, inout Stand s, out float lighter) {
     BladeLean l = leanOf(p, b.facing * s.cell.mirror);
     s.density *= 1.0 - p.press;
     lighter = l.lighter;
+    return poseBlade(b.control, b.tip, b.facing, s.cell.mirror, l.lean, l.scale);
+}
+// The pose that it had here in the frame before: by the wind of then.
+BladePose poseBefore(Blade b, Stand s) {
+    BladeStand p = standOf(b, s);
+    if (WIND) p.wind = windLeanBefore(s.root.xz, b.dither, field.species[species.index].gusts);
+    BladeLean l = leanOf(p, b.facing * s.cell.mirror);
     return poseBlade(b.control, b.tip, b.facing, s.cell.mirror, l.lean, l.scale);
 }

@@ -1,7 +1,9 @@
 // A fragment of a blade: what its vertices were lit with, its mask, its texture, and how it covers its pixel. Fragment
-// shaders only. Needs: const bool SUN, BLADE_SHADOWS, CASTING_LIGHTS, TRANSLUCENCY, GLOSS; const int TRANSPARENCY.
+// shaders only. Needs: const bool SUN, BLADE_SHADOWS, CASTING_LIGHTS, TRANSLUCENCY, GLOSS, TEMPORAL; const int
+// TRANSPARENCY.
 #include "lib/frame.glsl"
 #include "lib/mask.glsl"
+#include "lib/motion.glsl"
 #include "lib/sliver.glsl"
 #include "lib/species.glsl"
 #include "lib/transparency.glsl"
@@ -16,7 +18,8 @@ centroid in vec3 turned;
 centroid in vec2 maskAt;
 centroid in vec3 strip;
 flat in uint grain;
-out vec4 color;
+in vec3 moved;
+layout(location = 0) out vec4 color;
 
 // What the blade sends of the sun's light. Along a bent blade the side that is seen changes; within an eighth of an
 // edge-on view it goes from one to the other, so that neighbouring rows of vertices need not agree on the place.
@@ -30,6 +33,7 @@ vec3 sunSent() {
 }
 // t: the texture's colour there; alpha: of what is written.
 vec4 bladePixel(vec4 t, float alpha) {
+    tellMotion(moved);
     vec3 light = lit.rgb;
     if (SUN && BLADE_SHADOWS && CASTING_LIGHTS) light += sunSent();
     vec4 c = vec4(clamp(light * mix(t.rgb * 2.0, vec3(1.0), lit.w), vec3(0.0), vec3(kBrightest)), alpha);

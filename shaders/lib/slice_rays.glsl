@@ -12,6 +12,7 @@
 #include "numerics/hash.h"
 #include "numerics/population.h"
 #include "numerics/rays.h"
+#include "numerics/stand.h"
 
 const int REST_MEAN = 0, REST_OPAQUE = 1, REST_NOTHING = 2;
 const float kCoarse = 4.0;   // level of detail that stands for slices in the mean
@@ -290,6 +291,14 @@ vec4 shownOf(Sum sum, Shell shell, uint grain) {
     if (viewMode() == VIEW_OVERDRAW) return vec4(1.0 / 32.0, 0.0, 0.0, alpha);
     if (viewMode() == VIEW_DENSITY) return vec4(0.1, 0.65, 0.15, alpha);
     return vec4(light * (1.0 - hazed) + hazeColor(shell.start) * hazed, alpha);
+}
+// Metres that what a ray saw moved since the frame before, in the field's axes, where grass leant as `before`.
+vec3 movedSince(Sum sum, Shell shell, SliceRay ray, BladeLean now, BladeLean before) {
+    float up = sqrt(1.0 - min(dot(now.lean, now.lean), 0.9)),
+          upBefore = sqrt(1.0 - min(dot(before.lean, before.lean), 0.9));
+    float above = clamp(shell.height + heightAt(ray, shell, sum.depth), 0.0, shell.height), along = above / up;
+    vec2 level = (now.lean - before.lean) * along;
+    return vec3(level.x, (up - upBefore) * along, level.y);
 }
 // Depth of the pixel; carrier: the carrier's.
 float depthOf(Sum sum, Shell shell, float carrier) {

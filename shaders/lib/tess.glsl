@@ -4,6 +4,7 @@
 #include "lib/blade_light.glsl"
 #include "lib/frame.glsl"
 #include "numerics/basics.h"
+#include "numerics/blade.h"
 #include "numerics/opacity.h"
 #include "numerics/population.h"
 #include "numerics/tess.h"
@@ -15,9 +16,10 @@ layout(std140, binding = UBO_TESS) uniform TessBlock { TessGlobals tess; };
 
 struct TessBlade {
     BladePose pose;
-    vec3 root;    // relative to the eye
-    vec2 uv;      // on maps (mapPlace)
-    float width;  // m
+    BladePose before;  // in the frame before; TEMPORAL
+    vec3 root;         // relative to the eye
+    vec2 uv;           // on maps (mapPlace)
+    float width;       // m
     float opacity, density, hue, lightness;
     uint grain;
     int level;   // quads along it; 0: it is not drawn
@@ -42,9 +44,14 @@ TessBlade tessBlade(TessCell c, uint index) {
     float high = geometryOpacity(s.density * kept, 0.0, s.threshold, species.fade) / s.opacity *
                  heightKept(distance, tess.maxDistance, tess.lowerInv);
     if (!(high > 0.0)) return t;
+    if (TEMPORAL) t.before = poseBefore(b, s);
     t.pose = poseHere(b, s, t.lightness);
     t.pose.control *= min(high, 1.0);
     t.pose.tip *= min(high, 1.0);
+    if (TEMPORAL) {
+        t.before.control *= min(high, 1.0);
+        t.before.tip *= min(high, 1.0);
+    }
     t.lightness *= b.lightness;
     t.hue = b.hue;
     t.root = s.root;
@@ -57,6 +64,12 @@ TessBlade tessBlade(TessCell c, uint index) {
     t.plain = t.level == 1 && t.width * tess.pixelsPerMetre < tess.plainPixels * distance;
     if (t.plain) t.width *= tess.plainWidth;
     return t;
+}
+
+// Metres that a row of it moved since the frame before.
+vec3 movedAt(TessBlade t, float v) {
+    if (!TEMPORAL) return vec3(0.0);
+    return bladePosition(t.pose.control, t.pose.tip, v) - bladePosition(t.before.control, t.before.tip, v);
 }
 
 // Where in the shadow mask a vertex of it is.

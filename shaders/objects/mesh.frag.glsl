@@ -2,6 +2,7 @@
 #include "lib/frame.glsl"
 #include "lib/lamp_shadow.glsl"
 #include "lib/light.glsl"
+#include "lib/motion.glsl"
 #include "lib/object_color.glsl"
 #include "lib/shadow.glsl"
 #include "shared/bindings.h"
@@ -13,7 +14,7 @@ layout(location = 1) uniform float cutoff;      // of its alpha
 in vec3 position;
 in vec3 normal;
 in vec2 uv;
-out vec4 color;
+layout(location = 0) out vec4 color;
 
 void main() {
     vec4 texel = texture(image, uv);
@@ -23,4 +24,5 @@ void main() {
     if (LAMPS) from += lampLight(position, n, n);
     vec3 light = (from + ambientLight(n)) * texel.rgb * reflectance;
     color = objectColor(light, n, position);
+    tellMotion(vec3(0.0));
 }

@@ -72,6 +72,9 @@
 #define TEX_LAMP_GAINS 55   // of the species that is drawn
 #define TEX_LAMP_SHADOW 56  // as TEX_SHADOW
 #define TEX_LAMP_HILLS 57
+#define TEX_MOTION 58
+#define TEX_HISTORY 59  // of frames that add up: their mean, and how far away it was
+#define TEX_HISTORY_DISTANCE 60
 #define TEX_SHADOW 12  // bound by who makes them, for the whole frame
 #define TEX_SHADE 13
 #define TEX_OBJECT 7  // as blades: bound for each draw

@@ -57,7 +57,8 @@ struct STD140 FrameGlobals {
     float decalFalloff;    // share of the radius over which it fades
     float treesShadeFrom;  // metres from the eye over which far trees' shade on the ground sets in (forest/texcells.h)
     float treesShadeTo;
-    float landLevel;  // height to which the land beyond comes, relative to the eye
+    float landLevel;   // height to which the land beyond comes, relative to the eye
+    uint chanceShift;  // 256ths by which this frame moves the chances that samples are covered (post/antialias.h)
 };
 
 #ifdef __cplusplus

@@ -22,7 +22,7 @@ layout(location = 0, index = 1) out vec4 factor;
 vec3 ripples() {
     if (!WIND) return vec3(0.0, 0.0, kSmoothest);
     vec2 dx = dFdx(position.xz), dy = dFdy(position.xz);
-    float share = rippleShare(blowsAt(position.xz));
+    float share = rippleShare(blowsAt(winds[NOW], position.xz));
     vec3 sum = vec3(0.0, 0.0, 0.0);
     for (int i = 0; i < WATER_WAVES; ++i) {
         WaterWave wave = water.waves[i];

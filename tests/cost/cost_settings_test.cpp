@@ -7,6 +7,7 @@
 #include <set>
 
 #include "fields.h"
+#include "scene/antialias.h"
 #include "scene/forest_technique.h"
 #include "techniques.h"
 
@@ -47,7 +48,7 @@ TEST(CostSettings, EachAppliesToAProjectAndNoneIsThereTwice) {
 TEST(CostSettings, AskedForOneTechniqueGiveThatAlone) {
     auto flat = costSettings(grassy(), tables(), "flat");
     ASSERT_TRUE(flat);
-    EXPECT_EQ(flat->size(), 3u) << "and the project as it is";
+    EXPECT_EQ(flat->size(), 4u) << "and the project as it is";
     EXPECT_EQ(costSettings(grassy(), tables(), "felt").error().code, ExitCode::Usage);
     EXPECT_EQ(costSettings(Project{}, tables()).error().code, ExitCode::Unsound);
     Project p = grassy();
@@ -157,6 +158,24 @@ TEST(CostSettings, AValueIsForEveryFieldOrForOne) {
     EXPECT_EQ(flatField(p, "verge").maxGeom, 9);
     EXPECT_FALSE(drawsNoLess({"hybrid", {"verge.maxGeom=9"}}, {"hybrid", {"meadow.maxGeom=8"}}));
     EXPECT_TRUE(drawsNoLess({"hybrid", {"verge.maxGeom=9"}}, {"hybrid", {"verge.maxGeom=8"}}));
+}
+
+TEST(CostSettings, FramesThatAddUpAreTriedByEveryTechnique) {
+    Project p = grassy();
+    const auto all = costSettings(p, tables());
+    ASSERT_TRUE(all);
+    for (const TechniqueRow& row : tables().techniques)
+        EXPECT_TRUE(std::ranges::any_of(*all, [&](const CostSetting& s) {
+            return s.technique == row.name && s.values == SettingValues{kTemporalSetting};
+        })) << row.name;
+    ViewSettings view;
+    ASSERT_TRUE(applySetting(p, tables(), {"geometry", {kTemporalSetting}}, view));
+    EXPECT_NE(temporalOf(p), nullptr);
+    ASSERT_TRUE(applySetting(p, tables(), {"geometry", {"antialias=msaa"}}, view));
+    EXPECT_EQ(temporalOf(p), nullptr);
+    const Status wrong = applySetting(p, tables(), {"geometry", {"antialias=fxaa"}}, view);
+    ASSERT_FALSE(wrong);
+    EXPECT_EQ(wrong.error().code, ExitCode::Usage);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "cost/effect_probe.h"
 #include "everything.h"
 #include "project/project_files.h"
+#include "scene/antialias.h"
 #include "scene/ground_path.h"
 #include "scene/map_layers.h"
 #include "techniques.h"
@@ -35,6 +36,7 @@ Project theRest() {
     f.grows.bladeHeight = field(filled({16, 16, 1, PixelType::U8}, 0.5f));
     f.grows.population = Population::Unique;
     f.drawing.transparency = Transparency::Both;
+    setAntialias(p, Antialiasing::Temporal);
     return p;
 }
 // A density and a ground whose maps come from a path and from a layer as well.

@@ -297,8 +297,8 @@ class Layers {
     }
     // Share of a black picture that n layers hide.
     double hidden(float alpha, int n, int samples) {
-        const GLuint program =
-            *programs.get({"test/layers", "test/layers.vert.glsl", "test/layers.frag.glsl", nullptr}, "");
+        const GLuint program = *programs.get({"test/layers", "test/layers.vert.glsl", "test/layers.frag.glsl", nullptr},
+                                             "const bool TEMPORAL = false;\n");
         FrameGlobals globals{};
         globals.samples = samples;
         const Buffer frame = makeBuffer(gpu(), "test", sizeof(globals), &globals);
