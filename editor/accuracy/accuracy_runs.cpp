@@ -14,6 +14,7 @@
 #include "core/file.h"
 #include "core/hash.h"
 #include "cost/cost_files.h"
+#include "model/antialias_edit.h"
 #include "model/document.h"
 #include "scene/antialias.h"
 #include "scene/forest_technique.h"
@@ -103,22 +104,6 @@ std::string outcomeOf(const Json& fit) {
 
 bool isViewSetting(const std::string& value) { return value.starts_with("msaa=") || value.starts_with("detail="); }
 
-// The entity that says how pixels come to their samples; empty: none does.
-std::string antialiasEntity(const Project& p) {
-    for (const auto& [name, e] : p.entities)
-        if (p.registry.get<Antialias>(e)) return name;
-    return "";
-}
-Status adoptAntialias(Document& document, const std::string& value) {
-    std::string entity = antialiasEntity(document.project());
-    if (entity.empty()) {
-        entity = "antialias";
-        if (Status s = document.addEntity(entity); !s) return s;
-        if (Status s = document.addComponent(entity, antialiasRow().name); !s) return s;
-    }
-    return document.setField(entity + "." + antialiasRow().name + ".antialias", value);
-}
-
 Status adoptIn(Document& document, const std::string& entity, const CostSetting& setting) {
     const auto [held, technique] = techniqueField(entity, setting.technique);
     if (Status s = document.setField(held, technique); !s) return s;
@@ -126,7 +111,9 @@ Status adoptIn(Document& document, const std::string& entity, const CostSetting&
         const auto v = settingValue(text);
         if (!v || isViewSetting(text) || !v->isFor(entity)) continue;
         if (v->name == kAntialiasSetting) {
-            if (Status s = adoptAntialias(document, v->value); !s) return s;
+            const bool temporal = text == kTemporalSetting;
+            if (Status s = chooseAntialias(document, temporal ? Antialiasing::Temporal : Antialiasing::Msaa); !s)
+                return s;
             continue;
         }
         const std::string path = settingPath(document.tables(), entity, setting.technique, v->name);

@@ -9,6 +9,7 @@
 #include "app/app.h"
 #include "app/path_actions.h"
 #include "app/step_actions.h"
+#include "model/antialias_edit.h"
 #include "model/blade_height.h"
 #include "model/float_heights.h"
 #include "model/path_ground.h"
@@ -192,6 +193,12 @@ bool canRecord(EditorApp& app) { return app.doc.isOpen() && !app.recorder.record
 bool always(EditorApp&) { return true; }
 bool opened(EditorApp& app) { return app.doc.isOpen(); }
 bool atRest(EditorApp& app) { return !app.doc.stroking() && app.edits.holding.empty(); }
+void samplesOverTime(EditorApp& app) {
+    const bool temporal = temporalOf(app.doc.project()) != nullptr;
+    if (accept(app.messages, chooseAntialias(app.doc, temporal ? Antialiasing::Msaa : Antialiasing::Temporal)))
+        say(app.messages, temporal ? "each frame takes all samples" : "frames add up, one sample a pixel each");
+}
+
 bool canUndo(EditorApp& app) { return app.doc.canUndo() && atRest(app); }
 bool canRedo(EditorApp& app) { return app.doc.canRedo() && atRest(app); }
 bool hasMap(EditorApp& app) { return app.doc.isOpen() && !app.brushes.map.empty() && atRest(app); }
@@ -282,6 +289,8 @@ constexpr Command kCommands[] = {
     {"Test", "Accept Picture of This Camera", "", "", acceptPictureOf, hasCamera},
     {"Test", "Check Pictures", "", "", checkPictures, opened},
     {"View", "Focus", "f", "", focusChosen, opened},
+    {"View", "Samples over Time", "", "", samplesOverTime, opened, true,
+     [](App& a) { return a.doc.isOpen() && temporalOf(a.doc.project()) != nullptr; }},
     {"View", "Command Palette...", "ctrl+shift+p", "f3", [](App& a) { openPalette(a.palette); }, always},
     {"Help", "Keys...", "f1", "", [](App& a) { openKeys(a.keys); }, always},
 };
