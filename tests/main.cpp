@@ -31,7 +31,8 @@ int main(int argc, char** argv) {
     sward::test::TempDir home;
     setenv("LC_ALL", "C", 1);
     setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
-    setenv("GALLIVM_PERF", "nopt", 0);  // llvmpipe compiles faster, and draws the same pictures
+    setenv("GALLIVM_PERF", "nopt", 0);  // llvmpipe compiles faster, and draws the same pictures, by both
+    setenv("LP_NATIVE_VECTOR_WIDTH", "128", 0);
     setenv("XDG_CACHE_HOME", bakedFolder().c_str(), 1);
     setenv("XDG_STATE_HOME", (home.path / "state").c_str(), 1);
     std::setlocale(LC_ALL, "C");
