@@ -15,8 +15,11 @@ struct Trace {
     std::vector<uint8_t> image;
 };
 
+// Everything at once lies a hundred slices deep: pictures that are compared to the byte need few pixels.
 Trace traceOf(Renderer& renderer, Project& p) {
-    const Status drawn = renderer.draw(p, eyeHeight(), small());
+    ViewSettings settings = small();
+    settings.width = 64, settings.height = 48;
+    const Status drawn = renderer.draw(p, eyeHeight(), settings);
     EXPECT_TRUE(drawn) << (drawn ? "" : drawn.error().text());
     return {renderer.explain(p, true), renderer.programNames(), gpu().ledger, renderer.readImage()};
 }
