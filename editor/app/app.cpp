@@ -217,7 +217,7 @@ EditorApp::EditorApp(Document& d, Gpu& g, std::unique_ptr<ui::Surface> s, bool k
     imgui = ImGui::CreateContext();
     ImGui::SetCurrentContext(imgui);
     ui::setUpContext();
-    ui::applyTheme(ui::densityOf(*surface));
+    ui::applyTheme(std::max(1.f, ui::densityOf(*surface)));
     ImGui_ImplOpenGL3_Init("#version 450");
     renderer = std::make_unique<Renderer>(gpu, doc.tables());
     clock.fixed = surface->fixedStep() > 0;

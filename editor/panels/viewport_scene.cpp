@@ -34,7 +34,7 @@ ResolutionPlan nextPlan(Resolution& r, const FrameClock& clock, bool measure, bo
     }
     plan.draw = changed || r.stale || (clock.refineNow && r.drawnScale < 1);
     if (clock.refineNow) return plan;
-    plan.scale = kMinScale, plan.msaa = 1, plan.detail = 0.25, plan.full = false;
+    plan.scale = kMinScale, plan.msaa = 1, plan.detail = std::min(0.25, r.most), plan.full = false;
     return plan;
 }
 

@@ -41,7 +41,7 @@ class HeadlessSurface final : public Surface {
 
 float densityOf(const Surface& surface) {
     const int points = surface.width();
-    return points > 0 ? std::max(1.f, static_cast<float>(surface.pixelWidth()) / static_cast<float>(points)) : 1;
+    return points > 0 ? static_cast<float>(surface.pixelWidth()) / static_cast<float>(points) : 1;
 }
 
 std::unique_ptr<Surface> makeHeadlessSurface(int width, int height, float density) {

@@ -45,7 +45,7 @@ class Surface {
 // RGBA8 pixels of what is bound by bind(), first row on top.
 std::vector<uint8_t> readSurface(Surface& surface);
 
-// Pixels a point, at least 1.
+// Pixels a point.
 float densityOf(const Surface& surface);
 
 // A framebuffer of the current context, in points, with `density` pixels a point; frames of 1/60 s.

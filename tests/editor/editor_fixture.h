@@ -25,7 +25,9 @@ class EditorFixture : public testing::Test {
   protected:
     void SetUp() override {
         ASSERT_TRUE(doc.create(dir / "meadow"));
-        app = std::make_unique<EditorApp>(doc, *gpu, ui::makeHeadlessSurface(800, 600), false);
+        // Of 800 x 600 points; what panels and hands do does not depend on how fine the picture is, nor on its blades.
+        app = std::make_unique<EditorApp>(doc, *gpu, ui::makeHeadlessSurface(800, 600, 0.5f), false);
+        app->picture.resolution.most = 1.0 / 64;
         ui = makeUiDriver(*app);
         ok(ui->wait(3));
     }
