@@ -80,7 +80,7 @@ struct Hook<pointer> {
     X(glPushDebugGroup) X(glShaderSource) X(glStencilFunc) X(glStencilMask) X(glStencilOp) X(glTextureBarrier) \
     X(glTextureParameterf) X(glTextureParameteri) X(glTextureStorage2D) X(glTextureStorage2DMultisample) \
     X(glTextureStorage3D) X(glTextureSubImage2D) X(glTextureSubImage3D) X(glUniform1f) X(glUniform1i) \
-    X(glUniform1ui) X(glUniform2f) X(glUniform2i) X(glUniform3f) X(glUniform3ui) X(glUniform4f) X(glUniform4fv) X(glUniform4ui) X(glPolygonOffset) X(glUseProgram) \
+    X(glUniform1ui) X(glUniform2f) X(glUniform2i) X(glUniform3f) X(glUniform3ui) X(glUniform4f) X(glUniform4fv) X(glUniform4ui) X(glUniformMatrix4fv) X(glPolygonOffset) X(glUseProgram) \
     X(glVertexArrayAttribBinding) X(glVertexArrayAttribFormat) X(glVertexArrayAttribIFormat) \
     X(glVertexArrayBindingDivisor) X(glVertexArrayElementBuffer) X(glVertexArrayVertexBuffer) X(glViewport)
 // clang-format on
