@@ -80,11 +80,16 @@ void followFilm(std::unique_ptr<Film>& film, FrameClock& clock, Messages& messag
     say(messages, over->plan.film ? fmt::format("filmed {}: {} pictures", where, over->frames) : "picture: " + where);
 }
 
+// The scene would look otherwise now, so that nothing of the pictures before may go into the next.
+void showAnew(ViewportPicture& picture) { picture.drawnRevision = picture.begunRevision = kNeverDrawn; }
+
 // What the renderer makes beside is shown once it is there; what was drawn with its draft is drawn anew.
 void followRenderer(const Renderer& renderer, bool open, std::vector<JobNews>& making, ViewportPicture& picture) {
     std::vector<JobNews> jobs = renderer.jobs();
     const bool done = std::any_of(jobs.begin(), jobs.end(), [](const JobNews& j) { return j.finished; });
-    if (open && (done || jobs.size() < making.size())) picture.drawnRevision = kNeverDrawn;
+    if (open && (done || jobs.size() < making.size())) showAnew(picture);
+    // Frames that add up are drawn on while the picture is a full one: a quick one is soon another.
+    if (open && renderer.addsUp() && picture.resolution.drawnScale >= 1) picture.drawnRevision = kNeverDrawn;
     making = std::move(jobs);
 }
 
@@ -324,7 +329,7 @@ namespace {
 void followShaders(Renderer& renderer, Messages& messages, ViewportPicture& picture) {
     const Reload done = renderer.reloadPrograms();
     if (!done.failed.empty()) messages.notice = done.failed.front();
-    if (!done.nothing()) picture.drawnRevision = kNeverDrawn;
+    if (!done.nothing()) showAnew(picture);
 }
 
 }  // namespace
@@ -359,7 +364,7 @@ void adoptProject(EditorApp& app) {
     const Project& project = app.doc.project();
     app.shownProject = project.dir;
     rememberProject(app.start, project.dir, recentFile());
-    app.picture.drawnRevision = kNeverDrawn;
+    showAnew(app.picture);
     app.picture.resolution.stale = true;
     app.picture.resolution.fullMs = 0;
     app.counts.populationRevision = kNeverDrawn;

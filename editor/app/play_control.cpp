@@ -55,7 +55,7 @@ void handOver(PlayControl& c, const FrameInput& in, Playtest& play) {
 }
 
 void redraw(const PlayParts& p) {
-    p.picture.drawnRevision = kNeverDrawn;
+    p.picture.drawnRevision = p.picture.begunRevision = kNeverDrawn;
     p.clock.wanted = 4;
 }
 

@@ -297,10 +297,9 @@ struct Renderer::Impl {
     DrawnBeside drawn;
     bool beside = false;  // as the last draw was asked for
     Sketch sketch;
-    bool sketched = false;      // the last draw made a sketch
-    bool programsWait = true;   // of what is planned some may not be there yet
-    bool begun = false;         // a sketch of what is planned was drawn
-    bool wholePicture = false;  // the last draw was no quick one
+    bool sketched = false;     // the last draw made a sketch
+    bool programsWait = true;  // of what is planned some may not be there yet
+    bool begun = false;        // a sketch of what is planned was drawn
 
     Impl(Gpu& g, const Tables& t) : gpu(g), tables(t) { empty = makeVertexArray("frame/empty"); }
 
@@ -496,7 +495,6 @@ Status Renderer::draw(const Project& painted, const ViewCamera& camera, const Vi
              r.targets.samples);
     beginShared(r.main.shared, std::move(r.main.shared));
     r.beginSketch(settings);
-    r.wholePicture = settings.msaa > 1 && settings.detail >= 1;
     DrawContext ctx = r.context(project, r.main, camera, settings, r.targets, globals, r.stats);
     r.maps.beginFrame();
     r.run(ctx, r.main);
@@ -533,7 +531,6 @@ std::vector<JobNews> Renderer::jobs() const {
     impl_->drawn.news(out);
     // Finished: the next draw shows more.
     if (impl_->sketched) out.push_back({"programs", 1, true});
-    if (impl_->stats.addsUp && impl_->wholePicture) out.push_back({"samples", 1, true});
     return out;
 }
 

@@ -22,7 +22,8 @@ void runWind(DrawContext& ctx) {
     const Wind& wind = *windOf(ctx.project);
     const glm::dvec2 eye(ctx.eye.x, ctx.eye.z);
     const WindGlobals now = windGlobals(wind, eye, ctx.settings.time);
-    const WindGlobals winds[] = {now, s.time ? windGlobals(wind, eye, *s.time) : now};
+    const bool follows = has(ctx.plan.features, Feature::Temporal) && s.time;
+    const WindGlobals winds[] = {now, follows ? windGlobals(wind, eye, *s.time) : now};
     s.time = ctx.settings.time;
     writeBuffer(ctx.gpu, s.block, "sky/wind", sizeof(winds), winds);
     glBindBufferBase(GL_UNIFORM_BUFFER, UBO_WIND, s.block.id());
