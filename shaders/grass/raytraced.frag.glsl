@@ -69,9 +69,8 @@ float grownAt(Met m, Shell shell, float pixel) {
     vec2 ground = root.xz + frame.eye.xz;
     if (!onTerrain(ground)) return 0.0;
     if (WHOLE) return 1.0;
-    float far = length(root), density = sliceDensity(fieldDensityOver(mapPlace(ground), pixel),
-                                                     lodRamp(far, slices.minGeom, slices.geomInv));
-    return density * (1.0 - lodRamp(far, slices.minBTF, slices.btfInv));
+    return sliceDensity(fieldDensityOver(mapPlace(ground), pixel),
+                        lodRamp(length(root), slices.minGeom, slices.geomInv));
 }
 float sunAt(Met m, Shell shell) { return shell.visible; }
 vec3 paintedAt(vec3 reflectance, Met m, Shell shell, float pixel) {
@@ -141,6 +140,10 @@ void main() {
         ray.end = min(ray.end, scene);
     }
     Sum sum = traced(shell, ray, grain);
+    // Far away whole rays give way to the horizontal slice, not blade by blade: between the blades that were left one
+    // would see down to where all of them keep the light off.
+    float stays = 1.0 - lodRamp(length(shell.start), slices.minBTF, slices.btfInv);
+    sum.light *= stays, sum.through = mix(1.0, sum.through, stays);
     color = shownOf(sum, shell, grain);
     if (!(color.a > 0.0)) discard;
     if (viewMode() == VIEW_OVERDRAW) color.a = 0.0;

@@ -10,7 +10,8 @@
 #include "numerics/hash.h"
 #include "numerics/opacity.h"
 
-in vec3 texel;
+centroid in vec3 texel;
+in vec2 unmoved;
 in vec3 foot;
 flat in vec4 images;
 flat in vec4 axes;
@@ -49,7 +50,7 @@ SliceSpot spotHere() {
 }
 
 void main() {
-    level = max(textureQueryLod(sliceThreshold, texel.xy).y + log2(slices.sharpness), 0.0);
+    level = max(textureQueryLod(sliceThreshold, unmoved).y + log2(slices.sharpness), 0.0);
     fine = max(level - 1.5, 0.0);
     vec4 stored = textureLod(sliceThreshold, texel, level);
     vec2 uv = mapPlace(foot.xz + frame.eye.xz);

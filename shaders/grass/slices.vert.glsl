@@ -20,11 +20,13 @@ layout(location = 1) in vec2 cellCorner;  // relative to the eye
 layout(location = 2) in vec2 mirror;      // of the cell's version of the patch (numerics/population.h)
 layout(location = 3) in vec2 shift;
 
-out vec3 texel;        // across (it repeats), up, layer
-out vec3 foot;         // the ground below, relative to the eye
-flat out vec4 images;  // sun: weights of the view's images: facing, side +, side -, above (behind is what is left);
-                       // with LIGHT_COSINE its direction: facing, side, above
-flat out vec4 axes;    // w: 0 slices across x, 1 across z; x: side of it that is seen, in the patch; y, z: mirror
+centroid out vec3 texel;  // across (it repeats), up, layer; where the samples lie that are covered: far away a slice is
+                          // lower than a pixel, whose middle is often over it
+out vec2 unmoved;         // of that across and up, in the pixel's middle: its derivatives tell how wide a pixel is
+out vec3 foot;            // the ground below, relative to the eye
+flat out vec4 images;     // sun: weights of the view's images: facing, side +, side -, above (behind is what is left);
+                          // with LIGHT_COSINE its direction: facing, side, above
+flat out vec4 axes;       // w: 0 slices across x, 1 across z; x: side of it that is seen, in the patch; y, z: mirror
 flat out float lightLayer;
 flat out float chance;  // of the cell
 out vec3 gain;          // of light from the sun
@@ -93,6 +95,7 @@ void main() {
     float side = (axis == 0 ? -foot.x : -foot.z) * signs.x;
     int layer = ((signs.x > 0.0 ? k : n - 1 - k) + n - int(begin.x * float(n) + 0.5)) % n;
     texel = vec3((signs.y > 0.0 ? 1.0 + end : 2.0 - end) - begin.y, top, float(axis * (slices.layers - n) + layer));
+    unmoved = texel.xy;
     lightLayer = float(side > 0.0 ? 0 : slices.layers);
     chance = chanceOf(cell);
     float level = max(length(foot.xz), 1e-4);

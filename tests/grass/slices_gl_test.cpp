@@ -205,7 +205,7 @@ glm::dvec3 pressedColor(Technique technique, const Light& sun, double distance) 
 // comes to it, and slices cover it. 0: it is kept.
 double missedGreen(Technique technique, double distance, double elevationDeg) {
     const bool high = elevationDeg > 30, near = distance < 5;
-    if (technique == Technique::Slices) return near ? (high ? 0.507 : 0.462) : 0;
+    if (technique == Technique::Slices) return near ? (high ? 0.507 : 0.465) : (high ? 0 : 0.364);
     if (high) return near ? 0.415 : 0;
     return near ? 0.649 : 0.576;
 }
