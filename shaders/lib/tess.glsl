@@ -32,8 +32,9 @@ int levelOf(BladePose pose, vec3 root) {
                              frame.pixels, tess.near, tess.pixelsPerQuad, tess.mostLevel);
 }
 
-// Blade number `index` of the patch in cell c. Blades that the distance thins out sink into the ground, instead of
-// fading.
+// Blade number `index` of the patch in cell c. Blades that the distance thins out get narrow, so that what is left of
+// them covers as much as their share says: lowered ones would be hidden among the others. Where the field ends they
+// sink into the ground.
 TessBlade tessBlade(TessCell c, uint index) {
     TessBlade t;
     t.level = 0;
@@ -41,16 +42,16 @@ TessBlade tessBlade(TessCell c, uint index) {
     Stand s = standAt(CellInstance(c.cell, c.corner, c.mirror, c.shift), b, 0.0, 0.0);
     if (!exists(s)) return t;
     float distance = length(s.root), kept = densityKept(1.0, distance, tess.thinning);
-    float high = geometryOpacity(s.density * kept, 0.0, s.threshold, species.fade) / s.opacity *
-                 heightKept(distance, tess.maxDistance, tess.lowerInv);
-    if (!(high > 0.0)) return t;
+    float share = min(geometryOpacity(s.density * kept, 0.0, s.threshold, species.fade) / s.opacity, 1.0),
+          high = heightKept(distance, tess.maxDistance, tess.lowerInv);
+    if (!(share * high > 0.0)) return t;
     if (TEMPORAL) t.before = poseBefore(b, s);
     t.pose = poseHere(b, s, t.lightness);
-    t.pose.control *= min(high, 1.0);
-    t.pose.tip *= min(high, 1.0);
+    t.pose.control *= high;
+    t.pose.tip *= high;
     if (TEMPORAL) {
-        t.before.control *= min(high, 1.0);
-        t.before.tip *= min(high, 1.0);
+        t.before.control *= high;
+        t.before.tip *= high;
     }
     t.lightness *= b.lightness;
     t.hue = b.hue;
@@ -59,7 +60,7 @@ TessBlade tessBlade(TessCell c, uint index) {
     t.density = s.density;
     t.opacity = s.opacity;
     t.grain = floatBitsToUint(b.dither);
-    t.width = b.width * frame.widening * min(1.0 / max(kept, 0.01), tess.widest);
+    t.width = share * b.width * frame.widening * min(1.0 / max(kept, 0.01), tess.widest);
     t.level = min(levelOf(t.pose, s.root), max(int(c.level), 1));
     t.plain = t.level == 1 && t.width * tess.pixelsPerMetre < tess.plainPixels * distance;
     if (t.plain) t.width *= tess.plainWidth;
