@@ -76,6 +76,7 @@ struct SharedByViews {
     GrownFields* grown = nullptr;
     ForestsState* forests = nullptr;
     const AirTables* air = nullptr;  // of the sky's model "atmosphere"
+    glm::vec3 skyTilt{0};            // how much brighter the sky is towards the horizon (sky/daylight.h)
     ForceTarget forceTarget;
 };
 // And what each view has of its own; a frame begins with none of it.

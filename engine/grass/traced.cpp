@@ -1,5 +1,7 @@
 #include "grass/traced.h"
 
+#include <algorithm>
+
 #include "core/numerics.h"
 
 namespace sward {
@@ -26,8 +28,15 @@ const TracedLight* tracedOf(const DrawContext& ctx, const std::string& field, si
     if (!ctx.shared.traced) return nullptr;
     const auto found = ctx.shared.traced->fields.find(field);
     if (found == ctx.shared.traced->fields.end() || species >= found->second.size()) return nullptr;
-    const auto& light = found->second[species].light;
-    return light ? &*light : nullptr;
+    return found->second[species].light ? &found->second[species].here : nullptr;
+}
+
+TracedLight underSky(const TracedLight& traced, const glm::vec3& tilt) {
+    TracedLight out = traced;
+    for (size_t i = 0; i < TRACED_RISE; ++i) out.sky[i] += tilt * traced.skyTilt[i];
+    const float soil = traced.soilSky + traced.soilTilt * glm::dot(tilt, glm::vec3(0.2126f, 0.7152f, 0.0722f));
+    out.soilSky = std::clamp(soil, 0.0f, 1.0f);
+    return out;
 }
 
 glm::vec3 tracedDirect(const TracedLight& traced, const glm::vec3& toEye, const glm::vec3& towards) {

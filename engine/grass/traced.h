@@ -21,16 +21,21 @@ namespace sward {
 struct TracedLight {
     std::array<glm::vec3, TRACED_DIRECT> direct{};       // as SpeciesGlobals::traced has them
     std::array<glm::vec3, TRACED_RISE> sky{}, ground{};  // of light from above and from below
+    std::array<glm::vec3, TRACED_RISE> skyTilt{};        // what `sky` gains a unit of the sky's tilt (sky/daylight.h)
     glm::vec3 soilScattered{0};                          // polynomial by the sun's elevation
     float soilSky = 1;                                   // share of the sky's light that comes to the soil
+    float soilTilt = 0;                                  // what that gains a unit of tilt
 };
+// The same under a sky of this tilt: `sky` and `soilSky` are what they are there.
+TracedLight underSky(const TracedLight& traced, const glm::vec3& tilt);
 // Share of the light on what faces the sun, so high (sine), that comes to the soil from blade to blade.
 float soilScattered(const TracedLight& traced, float sinElevation);
 // Of the fields' species, by the field's name; nothing while it is being traced.
 struct TracedState : EffectState {
     struct One {
-        uint64_t asked = 0;  // what the light was traced for
-        std::optional<TracedLight> light;
+        uint64_t asked = 0;                // what the light was traced for
+        std::optional<TracedLight> light;  // under an even sky
+        TracedLight here;                  // under the frame's, if there is any
         Job<TracedLight> bake;
         uint64_t bakeOf = 0;  // what it makes
     };

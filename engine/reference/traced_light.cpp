@@ -14,11 +14,12 @@
 #include "grass/slices.h"
 #include "reference/grass_rays.h"
 #include "reference/hemisphere.h"
+#include "sky/daylight.h"
 
 namespace sward {
 namespace {
 
-constexpr uint32_t kVersion = 4;  // of the method: another one gives other factors
+constexpr uint32_t kVersion = 5;  // of the method: another one gives other factors
 constexpr int kRays = 640;        // that meet a blade, a view
 constexpr int kParts = 16;        // of a view's rays, each with its own sums, so that any number of threads adds alike
 constexpr int kMostBounces = 12;
@@ -109,11 +110,12 @@ Lights lightsAbout(float azimuth) {
 // One view's sums.
 struct ViewSums {
     std::array<TracedSums, kTracedLights * kTracedTurns> direct;
-    TracedSums sky, ground;
+    TracedSums sky, tilt, ground;  // tilt: of a sky that is skyTilted
     void add(const ViewSums& o) {
         for (size_t i = 0; i < direct.size(); ++i)
             direct[i].local += o.direct[i].local, direct[i].full += o.direct[i].full;
         sky.local += o.sky.local, sky.full += o.sky.full;
+        tilt.local += o.tilt.local, tilt.full += o.tilt.full;
         ground.local += o.ground.local, ground.full += o.ground.full;
     }
 };
@@ -124,6 +126,7 @@ void addLocal(const Lawn& lawn, const Surface& s, const glm::vec3& toEye, const 
             glm::dvec3(sends(s, toEye, lights[i]) * maskPasses(lawn.shade, float(s.at.y), lights[i]));
     const glm::dvec3 sent(s.color * s.tint * s.open);
     sums.sky.local += sent * (0.5 + 0.5 * double(s.normal.y));
+    sums.tilt.local = sums.sky.local;
     sums.ground.local += sent * (0.5 - 0.5 * double(s.normal.y));
 }
 
@@ -140,9 +143,10 @@ void addFull(Tracer& t, Surface s, glm::vec3 toEye, const Lights& lights, Dice& 
         const Ray ray = from(s, way, dice);
         const std::optional<Surface> next = t.rays.closest(ray, t.memory);
         if (!next) {
-            if (way.y > 0)
+            if (way.y > 0) {
                 sums.sky.full += glm::dvec3(weight);
-            else
+                sums.tilt.full += glm::dvec3(weight) * double(skyTilted(way.y));
+            } else
                 sums.ground.full += glm::dvec3(weight * t.lawn.soilOpen);
             return;
         }
@@ -179,7 +183,8 @@ ViewSums traceView(Tracer& t, int view, int part, int rays, const JobControl& co
 struct SoilSums {
     ViewSums met;  // full alone
     int rays = 0, open = 0;
-    void add(const SoilSums& o) { met.add(o.met), rays += o.rays, open += o.open; }
+    double openTilt = 0;
+    void add(const SoilSums& o) { met.add(o.met), rays += o.rays, open += o.open, openTilt += o.openTilt; }
 };
 SoilSums traceSoil(Tracer& t, int part, int rays, const JobControl& control) {
     SoilSums sums;
@@ -193,13 +198,14 @@ SoilSums traceSoil(Tracer& t, int part, int rays, const JobControl& control) {
         if (s)
             addFull(t, *s, -way, lightsAbout(f32::kTau * dice.unit()), dice, sums.met);
         else
-            ++sums.open;
+            ++sums.open, sums.openTilt += double(skyTilted(way.y));
     }
     return sums;
 }
 double luminance(const glm::dvec3& c) { return glm::dot(c, glm::dvec3(0.2126, 0.7152, 0.0722)); }
 void tellSoil(const SoilSums& sums, TracedTable& table) {
     table.soilSky = (sums.open + luminance(sums.met.sky.full)) / std::max(sums.rays, 1);
+    table.soilTilt = (sums.openTilt + luminance(sums.met.tilt.full)) / std::max(sums.rays, 1);
     for (size_t i = 0; i < sums.met.direct.size(); ++i)
         table.soilScattered[i / kTracedTurns] +=
             luminance(sums.met.direct[i].full) / (kTracedTurns * std::max(sums.rays, 1));
@@ -263,7 +269,7 @@ std::array<glm::vec3, TRACED_RISE> fitRise(const std::array<TracedSums, kTracedV
 }
 
 // --- the file of the cache: the numbers, and a hash of their bytes
-constexpr size_t kNumbers = 3 * (TRACED_DIRECT + 2 * TRACED_RISE + 1) + 1;
+constexpr size_t kNumbers = 3 * (TRACED_DIRECT + 3 * TRACED_RISE + 1) + 2;
 static_assert(sizeof(TracedLight) == kNumbers * sizeof(float));
 
 std::filesystem::path tracedFile(const std::filesystem::path& folder, uint64_t key) {
@@ -318,13 +324,16 @@ void update(DrawContext& ctx) {
         if (!has(fieldFeatures(ctx.tables.techniques, field), Feature::GrassTraced)) continue;
         std::vector<TracedState::One>& species = now[name] = std::move(state.fields[name]);
         species.resize(field.grows.species.size());
-        for (size_t i = 0; i < species.size(); ++i) updateTraced(ctx, species[i], field, i);
+        for (size_t i = 0; i < species.size(); ++i) {
+            updateTraced(ctx, species[i], field, i);
+            if (species[i].light) species[i].here = underSky(*species[i].light, ctx.shared.skyTilt);
+        }
     }
     state.fields = std::move(now);
     ctx.shared.traced = &state;
 }
 
-const System kSystems[] = {{"grass/traced", {.writes = {Slot::Traced}}, update, true}};
+const System kSystems[] = {{"grass/traced", {.reads = {Slot::SkyLight}, .writes = {Slot::Traced}}, update, true}};
 
 }  // namespace
 
@@ -375,7 +384,7 @@ Result<TracedTable> traceTable(const TracedSpec& spec, int rays, JobControl& con
         ViewSums all;
         for (size_t part = 0; part < kParts; ++part) all.add(sums[part * kTracedViews + view]);
         table.direct[view] = all.direct;
-        table.sky[view] = all.sky, table.ground[view] = all.ground;
+        table.sky[view] = all.sky, table.tilt[view] = all.tilt, table.ground[view] = all.ground;
     }
     return table;
 }
@@ -398,7 +407,7 @@ TracedLight fitTraced(const TracedTable& table) {
                         s.full / glm::max(s.local, glm::dvec3(1e-9)), s.local.y / mean);
             }
     }
-    TracedLight light{fit.solve(), fitRise(table.sky), fitRise(table.ground)};
+    TracedLight light{fit.solve(), fitRise(table.sky), fitRise(table.ground), fitRise(table.tilt)};
     Fit<TRACED_RISE> scattered;
     for (size_t i = 0; i < kTracedLights; ++i) {
         const glm::dvec3 rise(f32::tracedRise(kLights[i]));
@@ -407,6 +416,7 @@ TracedLight fitTraced(const TracedTable& table) {
     const auto numbers = scattered.solve();
     light.soilScattered = {numbers[0].x, numbers[1].x, numbers[2].x};
     light.soilSky = static_cast<float>(table.soilSky);
+    light.soilTilt = static_cast<float>(table.soilTilt);
     return light;
 }
 

@@ -36,8 +36,9 @@ inline constexpr int kTracedViews = 5, kTracedLights = 5, kTracedTurns = 6;
 struct TracedTable {
     std::array<std::array<TracedSums, kTracedLights * kTracedTurns>, kTracedViews> direct;  // by turn, then elevation
     std::array<TracedSums, kTracedViews> sky, ground;
+    std::array<TracedSums, kTracedViews> tilt;  // full: of the sky's tilt alone; local: as under an even sky
     // What comes to the soil, as shares of the sky's light and of that on what faces the sun, by the sun's elevation.
-    double soilSky = 0;
+    double soilSky = 0, soilTilt = 0;  // the latter a unit of the sky's tilt
     std::array<double, kTracedLights> soilScattered{};
 };
 // Sines of the elevations of views and lights; and the cosine between their level parts, as a number of a turn.

@@ -34,16 +34,29 @@ glm::vec3 sunOf(const Project& p, double seconds) {
 
 using SkySeen = std::function<glm::vec3(const glm::vec3& towards)>;
 
-// Irradiance of the sky on level ground, divided by pi: midpoint rule over 12 elevations and 24 azimuths.
-glm::vec3 skyOnGround(const SkySeen& seen) {
+// Irradiance of the sky on level ground, and the mean of that on upright surfaces all around, both divided by pi:
+// midpoint rule over 12 elevations and 24 azimuths.
+struct SkyFalls {
+    glm::vec3 onGround{0}, onWalls{0};
+};
+SkyFalls skyFalls(const SkySeen& seen) {
     constexpr int kRows = 12, kColumns = 24;
-    glm::vec3 sum(0);
+    SkyFalls sum;
     for (int r = 0; r < kRows; ++r)
         for (int c = 0; c < kColumns; ++c) {
             const float y = (r + 0.5f) / kRows, h = std::sqrt(1 - y * y), a = 2 * kPi * (c + 0.5f) / kColumns;
-            sum += seen(glm::vec3(h * std::cos(a), y, h * std::sin(a))) * y;
+            const glm::vec3 radiance = seen(glm::vec3(h * std::cos(a), y, h * std::sin(a)));
+            sum.onGround += radiance * y;
+            sum.onWalls += radiance * (h / kPi);  // the mean of a cosine that is cut off at 0, over all azimuths
         }
-    return sum * (2.0f / (kRows * kColumns));  // solid angle 2 pi / n each, divided by pi
+    const float each = 2.0f / (kRows * kColumns);  // solid angle 2 pi / n, divided by pi
+    return {sum.onGround * each, sum.onWalls * each};
+}
+glm::vec3 tiltOf(const SkyFalls& sky) {
+    static const float even = skyFalls([](const glm::vec3&) { return glm::vec3(1); }).onWalls.x,
+                       tilted = skyFalls([](const glm::vec3&d) { return glm::vec3(skyTilted(d.y)); }).onWalls.x;
+    const glm::vec3 walls = sky.onWalls / glm::max(sky.onGround, glm::vec3(1e-9f));
+    return glm::clamp((walls - even) / tilted, -1.5f, 3.0f);
 }
 
 // The sky at the horizon as horizonLight has it: a polynomial through the five points of Chebyshev's between the least
@@ -77,7 +90,8 @@ void integrateSky(SkySums& s, const glm::vec3& sun, float turbidity, const AirTa
     const SkySeen seen = [&](const glm::vec3& towards) {
         return air ? skyOf(*air, sun, towards) : f32::skyRadiance(towards, sun, turbidity);
     };
-    s.level = skyOnGround(seen);
+    const SkyFalls falls = skyFalls(seen);
+    s.level = falls.onGround, s.tilt = tiltOf(falls);
     fitHorizon(s, sun, seen);
 }
 

@@ -20,9 +20,15 @@ struct SkySums {
     float turbidity = 0;
     unsigned airChanges = 0;  // of the tables that it was made from
     glm::vec3 level{0};
+    glm::vec3 tilt{0};       // how much brighter it is towards the horizon: as skyTilted has it, a colour each
     glm::vec3 horizon[5]{};  // of horizonLight, numerics/light.h
     float horizonMiddle = 0, horizonScale = 0;
 };
+
+// Radiance of a sky of tilt 1 at a sine of elevation, less that of an even one: both light level ground alike. A sky of
+// level L and tilt t is taken to be L (1 + t skyTilted(y)): what stands upright has more light of it than of an even
+// sky. t is chosen so that upright surfaces all around have, in the mean, what they have of the sky; in [-1.5, 3].
+inline float skyTilted(float sine) { return 2.0f / 3.0f - sine; }
 
 // Each reads globals.mode.y, the camera's exposure factor. seconds: scene time.
 void addSun(FrameGlobals& globals, const Project& project, double seconds);  // there must be one (world/lights.h)

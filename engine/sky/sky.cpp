@@ -13,7 +13,9 @@ struct SkyState : EffectState {
 void runSun(DrawContext& ctx) { addSun(ctx.globals, ctx.project, ctx.settings.time); }
 void runSky(DrawContext& ctx) {
     const bool inAir = has(ctx.plan.features, Feature::Atmosphere);
-    addSky(ctx.globals, ctx.project, ctx.settings.time, ctx.own<SkyState>().sums, inAir ? ctx.shared.air : nullptr);
+    SkySums& sums = ctx.own<SkyState>().sums;
+    addSky(ctx.globals, ctx.project, ctx.settings.time, sums, inAir ? ctx.shared.air : nullptr);
+    ctx.shared.skyTilt = sums.tilt;
 }
 void runHaze(DrawContext& ctx) { addHaze(ctx.globals, ctx.project); }
 

@@ -196,6 +196,7 @@ const std::map<std::string, std::string> kSlotOf = {{"masks", "Masks"},
                                                     {"lampPlaces", "Lamps"},
                                                     {"reflectionScale", "Reflection"},
                                                     {"air", "Air"},
+                                                    {"skyTilt", "SkyLight"},
                                                     {"ground", ""}};
 
 // All that the effects do to slots whose rows stand in a file.

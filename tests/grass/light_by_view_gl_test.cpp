@@ -87,5 +87,25 @@ TEST(LightByView, IsTheTruthsByEachTechnique) {
     EXPECT_LT(traced, 0.6 * local) << "local light is the rival that must lose";
 }
 
+// A clear sky is brighter towards the horizon, and about the sun; the latter evens out over four sides of the eye.
+TEST(LightByView, UnderAClearSkyIsTheTruthsFromAllSides) {
+    NoGlErrors errors;
+    const ViewCamera camera = lookingDown(25);
+    double truth = 0;
+    std::map<Technique, double> drawn;
+    for (const float azimuthDeg : {0.0f, 90.0f, 180.0f, 270.0f}) {
+        Project p = turf();
+        p.registry.get<Sky>(findEntity(p, "sky"))->model = SkyModel::Atmosphere;
+        sunIn(p).intensity = 0, sunIn(p).azimuthDeg = azimuthDeg, sunIn(p).elevationDeg = 38;
+        truth += tracedTruth(p, camera);
+        for (const Technique t : {Technique::Tessellated, Technique::Slices, Technique::Flat})
+            drawn[t] += drawnBy(p, t, BakeLight::Traced, camera);
+    }
+    for (const auto& [t, sum] : drawn) {
+        printf("a clear sky, from four sides, %s: %.3f of the truth\n", nameOf(t), sum / truth);
+        EXPECT_NEAR(sum / truth, 1, kSightLimit) << nameOf(t);
+    }
+}
+
 }  // namespace
 }  // namespace sward::test

@@ -51,5 +51,19 @@ TEST(Traced, FactorsNeverDarkenBelowNothing) {
     EXPECT_EQ(tracedRise(light.sky, -1), tracedRise(light.sky, 0)) << "an eye below the blade looks along the ground";
 }
 
+TEST(Traced, ATiltedSkyChangesWhatComesFromTheSkyAlone) {
+    TracedLight light = someLight();
+    light.skyTilt = {glm::vec3(0.5f), glm::vec3(0), glm::vec3(-0.25f)};
+    light.soilTilt = -0.1f;
+    const TracedLight here = underSky(light, {1, 2, 0});
+    EXPECT_EQ(here.sky[0], light.sky[0] + glm::vec3(0.5f, 1, 0));
+    EXPECT_EQ(here.sky[1], light.sky[1]);
+    EXPECT_EQ(here.sky[2], light.sky[2] - glm::vec3(0.25f, 0.5f, 0));
+    EXPECT_NEAR(here.soilSky, 0.4f - 0.1f * (0.2126f + 2 * 0.7152f), 1e-6f);
+    EXPECT_EQ(here.direct, light.direct);
+    EXPECT_EQ(here.ground, light.ground);
+    EXPECT_EQ(underSky(light, glm::vec3(0)).sky, light.sky);
+}
+
 }  // namespace
 }  // namespace sward::test

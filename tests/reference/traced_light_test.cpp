@@ -62,6 +62,17 @@ TEST(TracedLightOf, WhatLooksAlongTheLightSeesWhatIsLit) {
     EXPECT_GT(quotient(0), 1.1 * quotient(2));
 }
 
+// Per unit of the sky's tilt, of what the lawn has under an even sky.
+double tiltQuotient(const TracedTable& t, size_t view) { return t.tilt[view].full.y / t.sky[view].full.y; }
+TEST(TracedLightOf, UprightBladesHaveMoreOfASkyThatIsBrightAtTheHorizonTheMoreTheyStandFree) {
+    TracedSpec sparse = coloured(0.1f, 0);
+    sparse.species.species.bladesPerM2 = 400;
+    const TracedTable free = tableOf(sparse), among = tableOf(coloured(0.1f, 0));
+    EXPECT_GT(tiltQuotient(free, 1), 0.05) << "a wall has 0.24";
+    EXPECT_LT(tiltQuotient(among, 1), tiltQuotient(free, 1)) << "others hide the horizon";
+    EXPECT_LT(among.soilTilt, 0.1 * among.soilSky) << "light comes down to the soil from above";
+}
+
 TEST(TracedLightOf, IsTheSameEachTime) {
     const TracedTable a = tableOf(dense(), 48), b = tableOf(dense(), 48);
     for (size_t view = 0; view < kTracedViews; ++view) {

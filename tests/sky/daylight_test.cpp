@@ -60,6 +60,32 @@ TEST(Daylight, TheHorizonIsTheSkysInEveryDirection) {
     EXPECT_LT(worstOff(skyOf(1, 4, &from), from), 0.12f);
 }
 
+glm::vec3 tiltAt(float elevation, float turbidity, SkyModel model) {
+    Project p;
+    Light sun;
+    sun.elevationDeg = elevation;
+    p.registry.add<Light>(*addEntity(p, "sun"), sun);
+    Sky sky;
+    sky.turbidity = turbidity, sky.model = model;
+    p.registry.add<Sky>(*addEntity(p, "sky"), sky);
+    FrameGlobals g{};
+    g.exposure = 1;
+    SkySums sums;
+    addSun(g, p, 0);
+    addSky(g, p, 0, sums, nullptr);
+    return sums.tilt;
+}
+
+// What stands upright has more of the sky's light than level ground says wherever it is brighter towards the horizon.
+TEST(Daylight, ASkyIsTiltedAsUprightSurfacesSeeIt) {
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(tiltAt(33, 3, SkyModel::Uniform)[c], 0, 1e-4f);
+    for (const float turbidity : {2.0f, 4.0f}) {
+        const glm::vec3 low = tiltAt(15, turbidity, SkyModel::Clear), high = tiltAt(80, turbidity, SkyModel::Clear);
+        EXPECT_GT(low.y, 0.1f);
+        EXPECT_LT(high.y, low.y) << "the glow about a high sun lights the ground";
+    }
+}
+
 TEST(Daylight, ThePlainBeginsWhereTheTerrainEnds) {
     const glm::vec2 size(100, 200);
     EXPECT_FLOAT_EQ(f32::plainDistance({50, 2, 50}, size, glm::normalize(glm::vec3(1, -0.5f, 0))),
