@@ -80,7 +80,9 @@ struct Mean {
 
 // Share of light from a direction that reaches a point among its neighbours.
 float passes(const Posed& p, const FieldLight& l, const glm::vec3& light) {
-    return !l.shade || l.shade->rows.empty() ? p.open : maskPasses(*l.shade, p.height, light);
+    if (!l.shade || l.shade->rows.empty()) return p.open;
+    const float full = maskPasses(*l.shade, p.height, light);
+    return l.density == 1 ? full : std::pow(full, l.density);
 }
 
 glm::vec3 bladeLight(const Posed& p, const glm::vec3& e, const FieldLight& l) {
@@ -127,8 +129,8 @@ glm::vec3 sliceLight(const Posed& p, const glm::vec3& n, const FieldLight& l, co
 
 // Calls see(point, share of it that is seen) for the points from the top down.
 template <class F>
-void eachSeen(const std::vector<Posed>& points, const glm::vec3& e, F see) {
-    const float k = areaTowards(points, e) / std::max(std::abs(e.y), kLeast);
+void eachSeen(const std::vector<Posed>& points, const glm::vec3& e, float density, F see) {
+    const float k = density * areaTowards(points, e) / std::max(std::abs(e.y), kLeast);
     float all = 0, above = 0;
     for (const Posed& p : points) all += p.area;
     for (const Posed& p : points) {
@@ -138,19 +140,20 @@ void eachSeen(const std::vector<Posed>& points, const glm::vec3& e, F see) {
 }
 
 // The light as it counts in the mean for blades that are seen along e.
-FieldLight tracedAlong(const FieldLight& light, const glm::vec3& e) {
+FieldLight tracedAlong(const FieldLight& light, const glm::vec3& e, float across) {
     FieldLight l = light;
     if (!l.traced) return l;
     l.sky *= tracedRise(l.traced->sky, e.y), l.ground *= tracedRise(l.traced->ground, e.y);
     if (l.shade)
-        for (auto& [direction, color] : l.suns) color *= tracedDirect(*l.traced, e, direction);
+        for (auto& [direction, color] : l.suns)
+            color *= glm::mix(glm::vec3(1), tracedDirect(*l.traced, e, direction), f32::tracedShare(l.density, across));
     return l;
 }
 
 Mean asBlades(const std::vector<Posed>& points, const glm::vec3& e, const FieldLight& light) {
-    const FieldLight l = tracedAlong(light, e);
+    const FieldLight l = tracedAlong(light, e, light.density == 1 ? 1 : areaAcross(points));
     Mean m;
-    eachSeen(points, e, [&](const Posed& p, float seen) {
+    eachSeen(points, e, l.density, [&](const Posed& p, float seen) {
         const float w = p.area * std::abs(glm::dot(p.normal, e)) * seen;
         m.radiance += bladeLight(p, e, l) * w;
         m.weight += w;
@@ -161,7 +164,7 @@ Mean asBlades(const std::vector<Posed>& points, const glm::vec3& e, const FieldL
 Mean asSlices(const std::vector<Posed>& points, const glm::vec3& e, const FieldLight& l, const glm::vec3& ambient,
               const std::vector<glm::vec4>& weights) {
     Mean m;
-    eachSeen(points, e, [&](const Posed& p, float seen) {
+    eachSeen(points, e, l.density, [&](const Posed& p, float seen) {
         for (int axis = 0; axis <= 2; axis += 2) {
             glm::vec3 way(0);
             way[axis] = e[axis] < 0 ? -1.0f : 1.0f;
@@ -176,7 +179,7 @@ Mean asFar(const std::vector<Posed>& points, const FieldLight& l, const glm::vec
            const std::vector<glm::vec4>& weights) {
     Mean m;
     const glm::vec3 up(0, 1, 0);
-    eachSeen(points, up, [&](const Posed& p, float seen) {
+    eachSeen(points, up, l.density, [&](const Posed& p, float seen) {
         const float w = p.area * std::abs(p.normal.y) * seen;
         m.radiance += sliceLight(p, facing(p.normal, up), l, ambient, weights) * w;
         m.weight += w;
@@ -311,6 +314,8 @@ Gains gainsOf(const Look& look, const FieldLight& light) {
     for (const auto& [direction, color] : light.suns) weights.push_back(imageWeights(direction, light.weighting));
     const auto plain = posed(look, glm::vec2(0), 0), clumped = posed(look, glm::vec2(0), look.clumpLean);
     const auto far = asFar(plain, light, out.farAmbient, weights).value();
+    FieldLight sparse = light;
+    sparse.density = kThinDensity;
     std::vector<Posed> leant[4];
     for (int i = 0; i < 4 && light.lean > 0; ++i)
         leant[i] = posed(look,
@@ -326,6 +331,8 @@ Gains gainsOf(const Look& look, const FieldLight& light) {
         out.slices[static_cast<size_t>(i)] =
             glm::vec4(quotient(blades, asSlices(plain, e, light, out.sliceAmbient, weights).value()), 0);
         out.far[static_cast<size_t>(i)] = glm::vec4(quotient(blades, far), 0);
+        out.thin[static_cast<size_t>(i)] =
+            light.painted ? glm::vec4(quotient(asBlades(clumped, e, sparse).value(), far), 0) : glm::vec4(1, 1, 1, 0);
         if (light.lean <= 0) continue;
         const auto change = [&](int plus) {
             const float a = luminance(asBlades(leant[plus], e, light).value()),

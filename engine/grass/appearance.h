@@ -63,16 +63,21 @@ struct FieldLight {
     const TracedLight* traced = nullptr;                  // light from blade to blade; null: none
     const BladeShade* shade = nullptr;  // how blades shade blades in direct light; null: depth below the tips does
     LightWeighting weighting = LightWeighting::Cosine;  // how slices weigh their images
+    float density = 1;                                  // of the field there
+    bool painted = false;                               // whether its density is: gains of thin grass are wanted
     float lean = 0;        // that paint or wind gives, m per m: where their change is taken; 0: neither is there
     bool pressed = false;  // whether something may press blades down
 };
 
+inline constexpr float kThinDensity = 1.0f / THIN_DENSITY;
 // By view: kLookAzimuths (x = cos a, z = sin a towards the eye) times kLookElevations (sine = (i / (n-1))^2).
 struct Gains {
     std::array<glm::vec4, LOOK_VIEWS>
         slices;  // rgb: factor of vertical slices; w: share by which a lean (m per m) towards +x brightens
     std::array<glm::vec4, LOOK_VIEWS>
         far;  // rgb: factor of the horizontal slice; w: share by which a lean towards +z brightens
+    std::array<glm::vec4, LOOK_VIEWS> thin;  // rgb: as `far` where the field's density is kThinDensity: one sees
+                                             // further down, where others shade less
     std::array<glm::vec4, LOOK_VIEWS>
         laid;  // rgb: how many times as bright blades are that are pressed down; 1 where none may be
     glm::vec3 sliceAmbient, farAmbient;  // ambient light that their texels are taken to receive

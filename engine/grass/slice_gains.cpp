@@ -24,6 +24,7 @@ FieldLight fieldLight(const DrawContext& ctx, const GrownField& f, size_t index)
     if (s.clumpSize > 0) l.lean = std::max(l.lean, clumpStrengths(s).x);
     if (has(features, Feature::Wind))
         l.lean = std::max(l.lean, std::clamp(windStrength(*firstOf<Wind>(ctx.project), s), 0.25f, 0.6f));
+    l.painted = has(features, Feature::GrassDensity);
     l.pressed = has(features, Feature::Forces) || has(features, Feature::ForceMap);
     return l;
 }
@@ -78,7 +79,8 @@ void updateGains(GrownSpecies& s, const FieldLight& l) {
                             l.translucency,
                             l.gloss,
                             l.roughness,
-                            l.pressed ? 1.0f : 0.0f};
+                            l.pressed ? 1.0f : 0.0f,
+                            l.painted ? 1.0f : 0.0f};
     addShading(read, l);
     for (const auto& [d, c] : l.suns) read.insert(read.end(), {d.x, d.y, d.z, c.x, c.y, c.z});
     const uint64_t key = hashBytes(read.data(), read.size() * sizeof(float)) ^ s.lookKey;
@@ -102,11 +104,13 @@ uint32_t packedGain(const glm::vec4& factor, float scale) {
 
 void setGains(SliceGlobals& g, bool conserving, Gains gains) {
     if (!conserving)
-        for (auto* factors : {&gains.slices, &gains.far, &gains.laid}) factors->fill({1, 1, 1, 0});
-    g.gainScale = {greatest(gains.slices), greatest(gains.far), greatest(gains.laid), 0};
-    for (size_t i = 0; i < LOOK_VIEWS; ++i)
+        for (auto* factors : {&gains.slices, &gains.far, &gains.thin, &gains.laid}) factors->fill({1, 1, 1, 0});
+    g.gainScale = {greatest(gains.slices), greatest(gains.far), greatest(gains.laid), greatest(gains.thin)};
+    for (size_t i = 0; i < LOOK_VIEWS; ++i) {
+        g.thin[i / 4][static_cast<int>(i % 4)] = packedGain(gains.thin[i], g.gainScale.w);
         g.gains[i] = {packedGain(gains.slices[i], g.gainScale.x), packedGain(gains.far[i], g.gainScale.y),
                       packedGain(gains.laid[i], g.gainScale.z), glm::packHalf2x16({gains.slices[i].w, gains.far[i].w})};
+    }
 }
 
 void makeGains(DrawContext& ctx, const GrownField& field, size_t species) {

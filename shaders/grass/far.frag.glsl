@@ -78,7 +78,7 @@ void main() {
     vec2 uv = mapPlace(place);
     float d = length(position);
     vec3 toEye = -position / max(d, 1e-4), seen = overSlope(toEye, clamp(slope, vec2(-4.0), vec2(4.0)));
-    float density = sliceDensity(densityAlong(uv), lodRamp(d, slices.minGeom, slices.geomInv));
+    float grown = densityAlong(uv), density = sliceDensity(grown, lodRamp(d, slices.minGeom, slices.geomInv));
     BladeStand stand = standHere(uv);
     vec2 lean = leanOf(stand, vec2(0.0)).lean;
     // Vertical slices that lean cover less of what lies below: as much as they are lowered.
@@ -100,7 +100,7 @@ void main() {
     BladeLean l = leanOf(stand, vec2(0.0));
     float plain = slices.reflectScale * darkened(d) * l.lighter;
     FarLit lit = FarLit(levelSun(), kLevel, position, kOnGround, slices.farAmbient * skyShare(uv),
-                        sunVisible(position, kOnGround), plain * sliceGain(seen, l.lean, laid.y, true),
+                        sunVisible(position, kOnGround), plain * farGain(seen, l.lean, laid.y, grown),
                         plain * laidGain(lookTap(seen), laid.y));
     vec3 light = clamp(farRadiance(sliceLight, r, leaf, stored.zw, lit), vec3(0.0), vec3(kBrightest));
     color = vec4(mix(light, hazeColor(position), hazeShare(d)), alpha);

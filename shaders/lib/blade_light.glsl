@@ -51,8 +51,8 @@ vec3 lampsOn(Lit p) {
     }
     return sum;
 }
-// A point of a blade as it would be without the map of heights: its neighbours are lowered as it is, so that they shade
-// it as they would then.
+// A point of a blade as it would be without the map of heights: its neighbours are lowered as it is. They stand as
+// close as ever, so that they shade it as grass does that is thinner by as much (lightBlade).
 vec3 inFullHeight(vec3 fromRoot, vec2 uv) { return GRASS_HEIGHTS ? fromRoot / max(bladeShare(uv), 0.02) : fromRoot; }
 // Where blades shade blades the sun is told apart: on which side of a bent blade it shines, and which one is seen, is
 // decided by the fragment. Elsewhere by the vertex, in half of its room.
@@ -87,6 +87,7 @@ BladeLight lightBlade(Lit p, vec2 uv) {
     float distance = length(p.position), share = hazeShare(distance);
     p.color *= darkened(distance);
     p.fromRoot = inFullHeight(p.fromRoot, uv);
+    if (GRASS_HEIGHTS) p.density *= bladeShare(uv);
     o.lit = vec4(p.color * tracedAmbient(p.normal, p.toEye) * (skyShare(uv) * p.open) + lampsOn(p), share);
     sunBlade(p, share, o);
     if (FOG || ATMOSPHERE) o.lit.rgb = mix(o.lit.rgb, hazeColor(p.position), share);

@@ -72,6 +72,20 @@ vec3 sliceGain(vec3 toEye, vec2 lean, float press, bool far) {
                              : mixGains(t, uvec4(a.across, b.across, c.across, d.across), slices.gainScale.x));
     return gain * laidGain(t, press);
 }
+// sliceGain of the horizontal slice where the field's density is so: between what it is at full density and at the thin
+// one by its logarithm.
+vec3 farGain(vec3 toEye, vec2 lean, float press, float density) {
+    vec3 full = sliceGain(toEye, lean, press, true);
+    if (!GRASS_DENSITY || density >= 1.0) return full;
+    LookTap t = lookTap(toEye);
+    ivec4 at = t.view / 4, one = t.view % 4;
+    uvec4 bits = uvec4(slices.thin[at.x][one.x], slices.thin[at.y][one.y], slices.thin[at.z][one.z],
+                       slices.thin[at.w][one.w]),
+          dense = uvec4(slices.gains[t.view.x].above, slices.gains[t.view.y].above, slices.gains[t.view.z].above,
+                        slices.gains[t.view.w].above);
+    vec3 thin = full * mixGains(t, bits, slices.gainScale.w) / max(mixGains(t, dense, slices.gainScale.y), vec3(1e-4));
+    return mix(thin, full, clamp(1.0 + log2(max(density, 1e-3)) / log2(float(THIN_DENSITY)), 0.0, 1.0));
+}
 // The same for a lamp's light, without what forces do: of vertical slices, and of the horizontal one. Towards the eye
 // and the lamp, unit, in the field's axes.
 vec2 lampGain(vec3 toEye, vec3 towards) {

@@ -16,7 +16,7 @@ vec3 tracedLamp(vec3 toEye, vec3 towards, float density) {
         for (int i = 0; i < 3; ++i)
             sum += by[k] * (species.traced[from + i].rgb * t.rise[i] + species.traced[from + 3 + i].rgb * t.across[i]);
     }
-    return mix(vec3(1.0), max(sum, vec3(0.0)), density);
+    return mix(vec3(1.0), max(sum, vec3(0.0)), tracedShare(density, species.area.x));
 }
 // The same of the sun, whose elevation is in the numbers already.
 vec3 tracedSun(vec3 toEye, float density) {
@@ -25,7 +25,7 @@ vec3 tracedSun(vec3 toEye, float density) {
     vec3 sum = species.tracedSun[6].rgb * t.glow;
     for (int i = 0; i < 3; ++i)
         sum += species.tracedSun[i].rgb * t.rise[i] + species.tracedSun[3 + i].rgb * t.across[i];
-    return mix(vec3(1.0), max(sum, vec3(0.0)), density);
+    return mix(vec3(1.0), max(sum, vec3(0.0)), tracedShare(density, species.area.x));
 }
 // Light from above and below on a side of a blade that faces n, divided by pi. At any density: local light takes the
 // share of the sky for that of full grass everywhere.

@@ -6,6 +6,8 @@
 #define LOOK_AZIMUTHS 8
 #define LOOK_ELEVATIONS 6
 #define LOOK_VIEWS 48
+#define LOOK_QUARTERS 12  // a quarter of them
+#define THIN_DENSITY 8    // 1 / the density of SliceGlobals::thin
 // Texels of the image of lamps' gains: x, (1 - cosine of the azimuth between eye and light) / 2; y and z, elevations of
 // eye and light as above.
 #define LAMP_AZIMUTHS 7
@@ -25,24 +27,25 @@ struct STD140 LookGain {
 };
 
 struct STD140 SliceGlobals {
-    float cellSize;      // m
-    float top;           // height of the vertical slices (m)
-    int slices;          // along an axis
-    float reflectScale;  // reflectance at full scale
-    float minGeom;       // distance from which slices stand for blades (m)
-    float geomInv;       // its lodInverse
-    float minBTF;        // distance from which the horizontal slice stands for vertical ones (m)
-    float btfInv;        // its lodInverse
-    vec2 area;           // blade area towards x: a level view, y: the zenith (m2 a m2)
-    vec2 laidArea;       // the same of grass that lies, pressed down
-    vec2 eyeCell;        // x, z of the cell that the eye is over
-    vec2 inCell;         // where in it, in cells (B-17)
-    vec4 sunWeights;     // of the images x+, y, z+, x-; z- is what is left to 1
-    vec4 gainScale;      // greatest factor of LookGain's across, above and laid
-    vec3 ambient;        // light from all around that vertical slices receive
-    float fade;          // omega of numerics/opacity.h
-    vec3 farAmbient;     // that the horizontal slice receives
-    float steepest;      // tangent of the elevation above which vertical slices give way
+    float cellSize;             // m
+    float top;                  // height of the vertical slices (m)
+    int slices;                 // along an axis
+    float reflectScale;         // reflectance at full scale
+    float minGeom;              // distance from which slices stand for blades (m)
+    float geomInv;              // its lodInverse
+    float minBTF;               // distance from which the horizontal slice stands for vertical ones (m)
+    float btfInv;               // its lodInverse
+    vec2 area;                  // blade area towards x: a level view, y: the zenith (m2 a m2)
+    vec2 laidArea;              // the same of grass that lies, pressed down
+    vec2 eyeCell;               // x, z of the cell that the eye is over
+    vec2 inCell;                // where in it, in cells (B-17)
+    vec4 sunWeights;            // of the images x+, y, z+, x-; z- is what is left to 1
+    vec4 gainScale;             // greatest factor of LookGain's across, above and laid, and of `thin`
+    uvec4 thin[LOOK_QUARTERS];  // a number a view: as LookGain's above, at a density of 1 / THIN_DENSITY
+    vec3 ambient;               // light from all around that vertical slices receive
+    float fade;                 // omega of numerics/opacity.h
+    vec3 farAmbient;            // that the horizontal slice receives
+    float steepest;             // tangent of the elevation above which vertical slices give way
     uint seed;
     int species;           // index in FieldGlobals
     float farTexels;       // of the horizontal slice, along an axis

@@ -105,6 +105,26 @@ TEST(Appearance, GainsAreFiniteForLightsAnywhere) {
         }
 }
 
+// Between fewer blades one sees further down, where they are dark; where all are of one colour, only what they shade
+// changes.
+TEST(Appearance, ThinGrassShowsMoreOfWhatStandsLow) {
+    Species s;
+    s.bladesPerM2 = 3000, s.height = 0.4f, s.hueVariationDeg = s.lightnessVariation = 0;
+    const size_t low = LOOK_AZIMUTHS;  // a view from a little over the horizon
+    const auto thinByFull = [&] {
+        FieldLight l{.sky = glm::vec3(1), .ground = glm::vec3(1)};
+        l.painted = true;
+        const Gains g = gainsOf(lookOf(s), l);
+        return g.thin[low].y / g.far[low].y;
+    };
+    s.rootColor = s.midColor = s.tipColor = glm::vec3(0.2f), s.rootOcclusion = 0;
+    const float plain = thinByFull();
+    s.rootColor = glm::vec3(0.02f), s.midColor = glm::vec3(0.1f);
+    EXPECT_LT(thinByFull(), 0.85f * plain);
+    FieldLight unpainted{.sky = glm::vec3(1), .ground = glm::vec3(1)};
+    EXPECT_EQ(gainsOf(lookOf(s), unpainted).thin[low], glm::vec4(1, 1, 1, 0)) << "nobody asks for it";
+}
+
 TEST(Appearance, ASpeciesWithoutBladesHasASoundLook) {
     Species s;
     s.bladesPerM2 = 0;

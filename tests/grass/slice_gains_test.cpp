@@ -19,6 +19,7 @@ TEST(SliceGains, PackedFactorsAreWithinHalfAStepOfTheGreatest) {
         const float f = static_cast<float>(i) / LOOK_VIEWS;
         gains.slices[static_cast<size_t>(i)] = {0.3f + f, 1.7f - f, f * f, -0.25f};
         gains.far[static_cast<size_t>(i)] = {5 * f, 0, 0.01f, 0.5f};
+        gains.thin[static_cast<size_t>(i)] = {0.5f * f, f, 2 * f, 0};
         gains.laid[static_cast<size_t>(i)] = {0.2f, 0.1f, 0.05f * f, 0};
     }
     setGains(g, true, gains);
@@ -26,8 +27,9 @@ TEST(SliceGains, PackedFactorsAreWithinHalfAStepOfTheGreatest) {
     for (size_t i = 0; i < LOOK_VIEWS; ++i) {
         const glm::vec3 off[] = {unpacked(g.gains[i].across, g.gainScale.x) - glm::vec3(gains.slices[i]),
                                  unpacked(g.gains[i].above, g.gainScale.y) - glm::vec3(gains.far[i]),
-                                 unpacked(g.gains[i].laid, g.gainScale.z) - glm::vec3(gains.laid[i])};
-        for (int k = 0; k < 3; ++k)
+                                 unpacked(g.gains[i].laid, g.gainScale.z) - glm::vec3(gains.laid[i]),
+                                 unpacked(g.thin[i / 4][int(i % 4)], g.gainScale.w) - glm::vec3(gains.thin[i])};
+        for (int k = 0; k < 4; ++k)
             for (int c = 0; c < 3; ++c) EXPECT_LE(std::abs(off[k][c]), 0.501f * g.gainScale[k] / 1023) << i << k << c;
         EXPECT_EQ(glm::unpackHalf2x16(g.gains[i].lean), glm::vec2(-0.25f, 0.5f));
     }

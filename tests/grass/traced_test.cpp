@@ -51,6 +51,15 @@ TEST(Traced, FactorsNeverDarkenBelowNothing) {
     EXPECT_EQ(tracedRise(light.sky, -1), tracedRise(light.sky, 0)) << "an eye below the blade looks along the ground";
 }
 
+TEST(Traced, DeepGrassHasAllOfItsFactorAtAnyDensityAndSparseGrassByIt) {
+    for (const float area : {0.0f, 0.1f, 1.0f, 30.0f}) {
+        EXPECT_EQ(f32::tracedShare(1, area), 1.0f) << area;
+        EXPECT_EQ(f32::tracedShare(0, area), 0.0f) << area;
+    }
+    EXPECT_NEAR(f32::tracedShare(0.3f, 0.01f), 0.3f, 0.002f);
+    EXPECT_GT(f32::tracedShare(0.3f, 20), 0.99f);
+}
+
 TEST(Traced, ATiltedSkyChangesWhatComesFromTheSkyAlone) {
     TracedLight light = someLight();
     light.skyTilt = {glm::vec3(0.5f), glm::vec3(0), glm::vec3(-0.25f)};
