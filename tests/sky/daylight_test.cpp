@@ -10,20 +10,27 @@
 namespace sward {
 namespace {
 
-FrameGlobals skyOf(float elevation, float turbidity, double* sunAzimuth) {
+// A sky and its sun, as frames have them.
+struct SkyHere {
+    FrameGlobals globals{};
+    SkySums sums;
+};
+SkyHere skyHere(float elevationDeg, float turbidity, SkyModel model) {
     Project p;
     Light sun;
-    sun.azimuthDeg = 70, sun.elevationDeg = elevation;
-    *sunAzimuth = 0;
+    sun.azimuthDeg = 70, sun.elevationDeg = elevationDeg;
     p.registry.add<Light>(*addEntity(p, "sun"), sun);
     Sky sky;
-    sky.turbidity = turbidity;
+    sky.turbidity = turbidity, sky.model = model;
     p.registry.add<Sky>(*addEntity(p, "sky"), sky);
-    FrameGlobals g{};
-    g.exposure = 1;
-    SkySums sums;
-    addSun(g, p, 0);
-    addSky(g, p, 0, sums, nullptr);
+    SkyHere here;
+    here.globals.exposure = 1;
+    addSun(here.globals, p, 0);
+    addSky(here.globals, p, 0, here.sums, nullptr);
+    return here;
+}
+FrameGlobals skyOf(float elevation, float turbidity, double* sunAzimuth) {
+    const FrameGlobals g = skyHere(elevation, turbidity, SkyModel::Clear).globals;
     *sunAzimuth = std::atan2(g.skySun.z, g.skySun.x);
     return g;
 }
@@ -61,19 +68,7 @@ TEST(Daylight, TheHorizonIsTheSkysInEveryDirection) {
 }
 
 glm::vec3 tiltAt(float elevation, float turbidity, SkyModel model) {
-    Project p;
-    Light sun;
-    sun.elevationDeg = elevation;
-    p.registry.add<Light>(*addEntity(p, "sun"), sun);
-    Sky sky;
-    sky.turbidity = turbidity, sky.model = model;
-    p.registry.add<Sky>(*addEntity(p, "sky"), sky);
-    FrameGlobals g{};
-    g.exposure = 1;
-    SkySums sums;
-    addSun(g, p, 0);
-    addSky(g, p, 0, sums, nullptr);
-    return sums.tilt;
+    return skyHere(elevation, turbidity, model).sums.tilt;
 }
 
 // What stands upright has more of the sky's light than level ground says wherever it is brighter towards the horizon.
