@@ -22,7 +22,7 @@ layout(location = 3) in vec2 shift;
 
 centroid out vec3 texel;  // across (it repeats), up, layer; where the samples lie that are covered: far away a slice is
                           // lower than a pixel, whose middle is often over it
-out vec2 unmoved;         // of that across and up, in the pixel's middle: its derivatives tell how wide a pixel is
+out vec2 unmoved;         // texel's across and up in the pixel's middle: its derivatives tell how wide a pixel is
 out vec3 foot;            // the ground below, relative to the eye
 flat out vec4 images;     // sun: weights of the view's images: facing, side +, side -, above (behind is what is left);
                           // with LIGHT_COSINE its direction: facing, side, above

@@ -9,9 +9,8 @@ FN vec3 tracedRise(real y) {
     real up = clamp(y, real(0.0), real(1.0));
     return vec3(real(1.0), up, up * up);
 }
-// Share of a factor that holds at a density in [0, 1]; area: of blades towards a level view, m2 a m2 of ground at
-// density
-// 1. Grass so deep that one cannot see through it has all of it at any density: only lengths are others there.
+// Share of a factor that holds at a density in [0, 1]; area: of blades towards a level view at density 1, m2 a m2 of
+// ground. Grass so deep that one cannot see through it has all of it at any density: only lengths are others there.
 FN real tracedShare(real density, real area) {
     real all = max(area, real(1e-3));
     return (real(1.0) - exp(-all * density)) / (real(1.0) - exp(-all));
