@@ -15,9 +15,6 @@ struct BlockError {
 BlockError blockError(const PicturePair& p, int x0, int y0, int side) {
     const BlockMoments a = blockMoments(p.image, p.weight, x0, y0, side),
                        b = blockMoments(p.truth, p.weight, x0, y0, side);
-    const auto apart = [](const glm::dvec3& difference, const glm::dvec3& noise) {
-        return glm::sqrt(glm::max(difference * difference - noise, 0.0));
-    };
     const glm::dvec3 mean = apart(a.mean - b.mean, a.meanNoise + b.meanNoise),
                      deviation = apart(a.deviation - b.deviation, a.deviationNoise + b.deviationNoise);
     return {b.weight, mean3(glm::sqrt(mean * mean + deviation * deviation)), mean3(mean), mean3(deviation)};
@@ -60,6 +57,19 @@ double jackknife(const std::vector<BlockError>& blocks, const BlockError& all) {
 
 }  // namespace
 
+Deviation deviationBeside(const glm::dvec3& squares, const glm::dvec3& scatter, const glm::dvec3& meanNoise) {
+    const glm::dvec3 added = scatter - meanNoise;
+    Deviation d;
+    d.variance = glm::max(squares - added, 0.0);
+    d.noise = meanNoise * (d.variance + added / 2.0) / glm::max(d.variance + added, 1e-30);
+    d.deviation = glm::sqrt(d.variance + d.noise);
+    return d;
+}
+
+glm::dvec3 apart(const glm::dvec3& difference, const glm::dvec3& noise) {
+    return glm::sqrt(glm::max(difference * difference - noise, 0.0));
+}
+
 BlockMoments blockMoments(const Picture& picture, const std::vector<float>& weight, int x0, int y0, int side) {
     BlockMoments b;
     const int x1 = std::min(x0 + side, picture.width), y1 = std::min(y0 + side, picture.height);
@@ -80,10 +90,8 @@ BlockMoments blockMoments(const Picture& picture, const std::vector<float>& weig
         const glm::dvec3 noise(picture.noise[i]);
         scatter += w * noise, b.meanNoise += w * w / (b.weight * b.weight) * noise;
     });
-    const glm::dvec3 added = scatter / b.weight - b.meanNoise, variance = glm::max(squares / b.weight - added, 0.0);
-    // Of normal scatter, by the derivative of the root; where scatter is most, the variance is not let below it.
-    b.deviationNoise = b.meanNoise * (variance + added / 2.0) / glm::max(variance + added, 1e-30);
-    b.deviation = glm::sqrt(variance + b.deviationNoise);
+    const Deviation d = deviationBeside(squares / b.weight, scatter / b.weight, b.meanNoise);
+    b.deviation = d.deviation, b.deviationNoise = d.noise;
     return b;
 }
 

@@ -33,6 +33,18 @@ Appearance appearance(const PicturePair& pair);
 // The distance at each pixel: of the blocks of the three sizes that it lies in.
 ErrorMap appearanceMap(const PicturePair& pair);
 
+// Deviation of values which rays scatter, beside that scatter.
+struct Deviation {
+    glm::dvec3 variance;   // without it
+    glm::dvec3 deviation;  // no less than what of the scatter is left in it
+    glm::dvec3 noise;      // variance of `deviation` by the scatter
+};
+// squares: mean square of the values about their mean; scatter: mean of their variances by rays; meanNoise: variance of
+// their mean by rays. The noise is that of normal scatter, by the derivative of the root.
+Deviation deviationBeside(const glm::dvec3& squares, const glm::dvec3& scatter, const glm::dvec3& meanNoise);
+// How far apart two numbers are whose difference has a variance of `noise` by rays.
+glm::dvec3 apart(const glm::dvec3& difference, const glm::dvec3& noise);
+
 // Mean and deviation by channel of the pixels of one block, by their weight, the deviation without the scatter of rays.
 // Channels in [0,1].
 struct BlockMoments {

@@ -12,7 +12,8 @@ using Channels = std::array<glm::dvec3, 2>;  // of a block's mean, and of its de
 struct CellChange {
     double weight = 0;
     Channels mean{}, deviation{};
-    double squares = 0;  // mean square over both changes and channels
+    Channels meanNoise{}, deviationNoise{};  // their variances by the scatter of rays
+    double squares = 0;                      // mean square over both changes and channels
 };
 
 // One block's changes, and their variances by the scatter of rays.
@@ -42,14 +43,16 @@ CellChange cellChange(const Picture& before, const Picture& after, const std::ve
     if (cell.weight <= 0) return cell;
     for (size_t k = 0; k < 2; ++k) {
         cell.mean[k] /= cell.weight;
-        glm::dvec3 variance(0);
+        glm::dvec3 squares(0), scatter(0);
         for (size_t i = 0; i < n; ++i) {
+            const double share = blocks[i].weight / cell.weight;
             const glm::dvec3 off = blocks[i].by[k] - cell.mean[k];
-            variance += blocks[i].weight / cell.weight * (off * off - blocks[i].noise[k]);
+            squares += share * off * off, scatter += share * blocks[i].noise[k];
+            cell.meanNoise[k] += share * share * blocks[i].noise[k];
         }
-        variance = glm::max(variance, 0.0);
-        cell.deviation[k] = glm::sqrt(variance);
-        cell.squares += glm::dot(cell.mean[k] * cell.mean[k] + variance, glm::dvec3(1)) / 3;
+        const Deviation d = deviationBeside(squares, scatter, cell.meanNoise[k]);
+        cell.deviation[k] = d.deviation, cell.deviationNoise[k] = d.noise;
+        cell.squares += glm::dot(cell.mean[k] * cell.mean[k] - cell.meanNoise[k] + d.variance, glm::dvec3(1)) / 3;
     }
     return cell;
 }
@@ -57,7 +60,9 @@ CellChange cellChange(const Picture& before, const Picture& after, const std::ve
 double distanceOf(const CellChange& image, const CellChange& truth) {
     glm::dvec3 squares(0);
     for (size_t k = 0; k < 2; ++k) {
-        const glm::dvec3 mean = image.mean[k] - truth.mean[k], deviation = image.deviation[k] - truth.deviation[k];
+        const glm::dvec3 mean = apart(image.mean[k] - truth.mean[k], image.meanNoise[k] + truth.meanNoise[k]),
+                         deviation = apart(image.deviation[k] - truth.deviation[k],
+                                           image.deviationNoise[k] + truth.deviationNoise[k]);
         squares += mean * mean + deviation * deviation;
     }
     return glm::dot(glm::sqrt(squares), glm::dvec3(1)) / 3;
@@ -87,7 +92,8 @@ StepChange stepChange(const PicturePair& before, const PicturePair& after) {
 
 double poppingOf(const StepChange& c) {
     if (c.weight <= 0) return 0;
-    return std::max(c.distance / c.weight, std::abs(std::sqrt(c.image / c.weight) - std::sqrt(c.truth / c.weight)));
+    const auto inAll = [&](double squares) { return std::sqrt(std::max(squares, 0.0) / c.weight); };
+    return std::max(c.distance / c.weight, std::abs(inAll(c.image) - inAll(c.truth)));
 }
 
 }  // namespace
@@ -111,7 +117,7 @@ Result<Popping> popping(size_t pictures, const std::function<Result<PicturePair>
         if (out.worstStep < 0 || step > out.worst) out.worst = step, out.worstStep = static_cast<int>(i) - 1;
         before = std::move(after);
     }
-    out.change = truth > 0 ? std::sqrt(image / truth) : std::numeric_limits<double>::quiet_NaN();
+    out.change = truth > 0 ? std::sqrt(std::max(image, 0.0) / truth) : std::numeric_limits<double>::quiet_NaN();
     return out;
 }
 

@@ -9,8 +9,8 @@
 // Which blade moves where is not compared, only by how much blocks change, together and apart. So a constant error of
 // colour or contrast counts nothing, equal sequences have 0, other blades of the same field little (the floor to hold a
 // technique against), and a picture that stands still all that the truth changes. What rays scatter is no change: it is
-// taken off s^2 where it is known (Picture::noise; of rays that differ from picture to picture). Source: ours. Does
-// not: follow blades from picture to picture.
+// taken off s^2 and off both squares of the distance where it is known (Picture::noise; of rays that differ from
+// picture to picture). Source: ours. Does not: follow blades from picture to picture.
 #pragma once
 #include <functional>
 
