@@ -71,12 +71,32 @@ ImageBand bandOf(const TexelGrid& image, float from, float to) {
     return {static_cast<float>(covered) / (kAcross * kAlong), 2.0f * sum / static_cast<float>(covered)};
 }
 
+// A blade's own axes: z level, the way that it faces to which its tip reaches; y from there to the tip, aslant where
+// the place leans the blade sideways; x across both, along its width. An instance's axes are at right angles and a
+// blade's are not quite: its level width stays level there, and here is turned with the blade.
+struct BladeAxes {
+    glm::vec3 x, y, z;
+    float rise, reach;  // of its tip along y and z
+};
+BladeAxes axesOf(const Posed& b) {
+    BladeAxes a;
+    const float along = glm::dot(glm::vec2(b.tip.x, b.tip.z), b.facing), way = along < 0 ? -1.0f : 1.0f;
+    a.z = way * glm::vec3(b.facing.x, 0, b.facing.y);
+    a.reach = way * along;
+    const glm::vec3 up = b.tip - a.z * a.reach;
+    a.rise = glm::length(up);
+    a.y = a.rise > kThin ? up / a.rise : glm::vec3(0, 1, 0);
+    a.x = glm::cross(a.y, a.z);
+    return a;
+}
+
 // The mean curve of blades whose tips are at (1, 1): the control's share of the way out and up.
 class MeanCurve {
   public:
     void add(const Posed& b) {
-        out_ += glm::vec2(glm::dot(glm::vec2(b.control.x, b.control.z), b.facing), b.control.y);
-        tips_ += glm::vec2(glm::dot(glm::vec2(b.tip.x, b.tip.z), b.facing), b.tip.y);
+        const BladeAxes a = axesOf(b);
+        out_ += glm::vec2(glm::dot(b.control, a.z), glm::dot(b.control, a.y));
+        tips_ += glm::vec2(a.reach, a.rise);
     }
     glm::vec2 control() const {
         return glm::clamp(out_ / glm::max(tips_, glm::vec2(1e-12f)), glm::vec2(0), glm::vec2(2));
@@ -169,12 +189,11 @@ GlbInstance flowerInstance(const StandingFlower& f, const glm::dvec3& corner) {
 }  // namespace
 
 GlbInstance instanceOf(const Posed& b, const glm::mat3& axes) {
-    const glm::mat3 own(glm::vec3(b.facing.y, 0, -b.facing.x), glm::vec3(0, 1, 0),
-                        glm::vec3(b.facing.x, 0, b.facing.y));
+    const BladeAxes own = axesOf(b);
     GlbInstance i;
     i.at = b.root;
-    i.turn = quaternionOf(axes * own);
-    i.scale = glm::max(glm::vec3(b.width, b.tip.y, glm::dot(glm::vec2(b.tip.x, b.tip.z), b.facing)), glm::vec3(kThin));
+    i.turn = quaternionOf(axes * glm::mat3(own.x, own.y, own.z));
+    i.scale = glm::max(glm::vec3(b.width * own.y.y, own.rise, own.reach), glm::vec3(kThin));
     return i;
 }
 

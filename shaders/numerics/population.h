@@ -40,7 +40,7 @@ FN vec2 placeInPatch(vec2 inCell, vec2 mirror, vec2 shift) {
 struct BladePose {
     vec3 control;  // relative to the root, metres
     vec3 tip;
-    vec2 facing;   // unit: the horizontal direction it bends towards
+    vec2 facing;   // unit, horizontal: its own azimuth, mirrored; its width runs across it (numerics/blade.h)
     vec3 upright;  // what takes the place's lean off again (stoodUp)
 };
 
@@ -52,7 +52,8 @@ FN vec3 stoodUp(vec3 p, vec3 upright) { return vec3(p.x - upright.x * p.y, p.y *
 
 // A patch's blade in a cell: mirrored, scaled, and leant by `lean` (horizontal metres per metre of blade, on top of its
 // own). The distance from root to tip is kept, so that a leaning blade comes down instead of growing; the tip stays at
-// least a twentieth of it above the root. facing is the blade's own, for when it stands upright.
+// least a twentieth of it above the root. What leans a blade does not twist it: it faces as it did, so that neighbours
+// face all ways whatever blows, and the curve may leave the plane of its azimuth.
 FN BladePose poseBlade(vec3 control, vec3 tip, vec2 facing, vec2 mirror, vec2 lean, real scale) {
     vec3 c = vec3(control.x * mirror.x, control.y, control.z * mirror.y) * scale;
     vec3 t = vec3(tip.x * mirror.x, tip.y, tip.z * mirror.y) * scale;
@@ -71,9 +72,7 @@ FN BladePose poseBlade(vec3 control, vec3 tip, vec2 facing, vec2 mirror, vec2 le
     // flat would shoot up.
     real lowered = c.y * height / max(t.y, size * real(0.05) + kTiny), raised = c.y + (height - t.y) * real(0.5);
     p.control = vec3(c.x + shift.x, min(lowered, raised), c.z + shift.y);
-    real across = sqrt(reach2);
-    vec2 own = vec2(facing.x * mirror.x, facing.y * mirror.y);
-    p.facing = across > size * real(0.02) ? reach / across : own;
+    p.facing = vec2(facing.x * mirror.x, facing.y * mirror.y);
     return p;
 }
 

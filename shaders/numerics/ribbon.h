@@ -1,6 +1,7 @@
 // A ray against a blade: the surface that a level line of width w, perpendicular to where the blade faces, sweeps along
 // the blade's curve (numerics/blade.h). Along that line nothing bends, so that the ray meets the surface where its
-// shadow on the plane of up and `facing` meets a quadratic Bezier: a quadratic equation in v, exact for any curve.
+// shadow on the plane of up and `facing` meets a quadratic Bezier: a quadratic equation in v, exact for any curve, in
+// that plane or, where a place leans the blade aside, out of it.
 // On the GPU only the formula suite runs this (shaders/formulas).
 
 #ifndef __cplusplus

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fields.h"
+#include "grass/comparison.h"
 #include "reference/reference.h"
 #include "scenes.h"
 #include "support.h"
@@ -106,9 +107,8 @@ Project strip(Technique technique, float stiffness) {
 }
 ViewCamera along() { return {{10, 0.5, 40}, {10, 0.5, 10}, 3, 0}; }
 
-// How far the grass leans to the right, metres a metre of blade: the slope of the line through the means of its rows. A
-// blade's facing turns with it, so that its rows are not equally covered, but each is the strip's width. weight: how
-// much of pixel i is grass.
+// How far the grass leans to the right, metres a metre of blade: the slope of the line through the means of its rows.
+// Rows are not equally covered, but each is the strip's width. weight: how much of pixel i is grass.
 template <class Weight>
 double leanOf(Weight weight) {
     double n = 0, x = 0, y = 0, xy = 0, yy = 0;
@@ -166,6 +166,48 @@ TEST(Stiffness, DividesTheLeanOfBladesAsOfSlicesAndInTheTruth) {
     check("tessellated blades", [&](float s) { return drawnLean(r, Technique::Tessellated, s); });
     check("slices", [&](float s) { return drawnLean(r, Technique::Slices, s); });
     check("blades of the truth", tracedLean);
+}
+
+// --- what faces keep ---------------------------------------------------------------------------------------
+
+// How far faces turn between two winds, of what the eye sees of them: the median over pixels that show grass in both
+// pictures, degrees. Blades that move aside show others behind them, but most pixels keep theirs.
+double turnedDeg(Renderer& r, Technique technique, float fromDeg, float toDeg) {
+    const auto drawn = [&](float azimuthDeg, ViewMode mode) {
+        Project p = strip(technique, 1);
+        grassOf(p).species[0].bladesPerM2 = 200, grassOf(p).species[0].height = 0.5f;
+        Wind& wind = *p.registry.get<Wind>(findEntity(p, "wind"));
+        wind.strength = 0.03f, wind.azimuthDeg = azimuthDeg;
+        ViewSettings s;
+        s.width = kWidth, s.height = kHeight, s.msaa = 1, s.mode = mode;
+        return pictureOf(r, p, {{10, 1, 16.5}, {10, 0.2, 14}, 40, 0}, s);
+    };
+    const auto before = drawn(fromDeg, ViewMode::Normals), after = drawn(toDeg, ViewMode::Normals);
+    const auto bladeBefore = bladePixels(drawn(fromDeg, ViewMode::Tiers)),
+               bladeAfter = bladePixels(drawn(toDeg, ViewMode::Tiers));
+    const auto normal = [](const std::vector<uint8_t>& rgb, size_t i) {
+        return glm::normalize(glm::vec3(rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]) / 127.5f - 1.0f);
+    };
+    std::vector<double> turned;
+    for (size_t i = 0; i < bladeBefore.size(); ++i) {
+        if (!bladeBefore[i] || !bladeAfter[i]) continue;
+        const float same = std::abs(glm::dot(normal(before, i), normal(after, i)));
+        turned.push_back(static_cast<double>(glm::degrees(std::acos(std::min(same, 1.0f)))));
+    }
+    EXPECT_GT(turned.size(), 500u);
+    std::sort(turned.begin(), turned.end());
+    return turned.empty() ? 0 : turned[turned.size() / 2];
+}
+
+// A wind that leans blades by 3 cm a metre once turned all of them to itself.
+TEST(Faces, AreNotSpunByAWeakWindThatTurns) {
+    NoGlErrors errors;
+    Renderer r(gpu(), tables());
+    for (const Technique technique : {Technique::Geometry, Technique::Tessellated}) {
+        const double turned = turnedDeg(r, technique, 0, 90);
+        std::printf("  %s: faces turn by %.1f degrees\n", nameOf(technique), turned);
+        EXPECT_LT(turned, 20) << nameOf(technique);
+    }
 }
 
 // --- what presses ------------------------------------------------------------------------------------------

@@ -157,22 +157,21 @@ void expectEqualToBruteForce(const BruteForce& all) {
     ASSERT_TRUE(brute);
     ASSERT_TRUE(grass);
     GrassMemory memory;
-    int hits = 0, differ = 0, rays = 0;
-    for (uint32_t i = 0; i < 20000; ++i) {
+    int hits = 0, differ = 0;
+    for (uint32_t i = 0; i < 22000; ++i) {
         const auto number = [&](uint32_t k) { return static_cast<double>(f32::hashUnit(f32::hash3(i, k, 11))); };
         const glm::dvec3 from(6 * number(0), 1.2 * number(1) + 0.1, 6 * number(2)),
             to(6 * number(3), 0.8 * number(4), 6 * number(5));
         const Ray ray{from, glm::normalize(to - from), 0, std::numeric_limits<double>::infinity(), i};
         const auto ours = grass->closest(ray, memory);
         const auto theirs = brute->closest(glm::vec3(from), glm::vec3(ray.way), 0, 1e9f);
-        ++rays;
         hits += theirs.has_value();
         differ += ours.has_value() != theirs.has_value() ||
                   (ours && std::abs(ours->t - static_cast<double>(theirs->t)) > 2e-3);
         EXPECT_EQ(ours.has_value(), grass->blocks(ray, memory)) << i;
     }
-    EXPECT_GT(hits, rays / 6);
-    EXPECT_LT(differ, rays / 500) << "only rays that graze an edge of a triangle";
+    EXPECT_GT(hits, 3333) << "enough to compare";
+    EXPECT_LT(differ, 40) << "only rays that graze an edge of a triangle";
 }
 
 TEST(GrassRays, MeetWhatBruteForceMeetsOnHillsWithPaintClumpsAndDensity) { expectEqualToBruteForce(BruteForce(false)); }

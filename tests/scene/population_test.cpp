@@ -200,6 +200,39 @@ TEST(Pose, ALeaningBladeKeepsItsLengthAndStaysAboveGround) {
         }
 }
 
+// Mean of twice their azimuths as unit vectors: 0 where faces are spread over all ways, 1 where all lie in one plane.
+float alike(std::span<const glm::vec2> facings) {
+    glm::vec2 sum(0);
+    for (const glm::vec2& f : facings) sum += glm::vec2(f.x * f.x - f.y * f.y, 2 * f.x * f.y);
+    return glm::length(sum) / static_cast<float>(facings.size());
+}
+
+TEST(Pose, PaintLeansBladesAndLeavesTheSpreadOfTheirFaces) {
+    const Patch p = makePatch(species(4000), 0.5f, 1);
+    std::vector<glm::vec2> facings, reaches;
+    double along = 0;
+    for (const Blade& b : p.blades) {
+        const f32::BladePose pose = f32::poseBlade(b.control, b.tip, b.facing, {1, 1}, {0.9f, 0}, 1.0f);
+        facings.push_back(pose.facing);
+        reaches.push_back(glm::normalize(glm::vec2(pose.tip.x, pose.tip.z)));
+        along += static_cast<double>(pose.tip.x / glm::length(pose.tip)) / static_cast<double>(p.blades.size());
+    }
+    EXPECT_GT(along, 0.6) << "they lean where paint says";
+    EXPECT_LT(alike(facings), 0.1f);
+    EXPECT_GT(alike(reaches), 0.6f) << "faces that followed the lean would lie in one plane";
+}
+
+TEST(Pose, AWeakWindOfAnyDirectionTurnsNoFace) {
+    const Patch p = makePatch(species(2000), 0.5f, 1);
+    for (const Blade& b : p.blades)
+        for (int i = 0; i < 16; ++i) {
+            const float a = f32::kTau * static_cast<float>(i) / 16;
+            const f32::BladePose pose =
+                f32::poseBlade(b.control, b.tip, b.facing, {-1, 1}, 0.03f * glm::vec2(std::cos(a), std::sin(a)), 1.0f);
+            ASSERT_EQ(pose.facing, glm::vec2(-b.facing.x, b.facing.y)) << i;
+        }
+}
+
 TEST(Pose, StoodUpTakesThePlacesLeanOffAgain) {
     const Patch p = makePatch(species(2000), 0.5f, 1);
     for (const Blade& b : p.blades)
