@@ -139,19 +139,24 @@ void eachSeen(const std::vector<Posed>& points, const glm::vec3& e, float densit
     }
 }
 
-// The light as it counts in the mean for blades that are seen along e.
-FieldLight tracedAlong(const FieldLight& light, const glm::vec3& e, float across) {
+// Which of the traced factors are asked for.
+using Factors = const TracedFactors TracedLight::*;
+
+// The light as it counts in the mean for blades that are seen along e, beside the hot spot.
+FieldLight tracedAlong(const FieldLight& light, const glm::vec3& e, float across, Factors over) {
     FieldLight l = light;
     if (!l.traced) return l;
-    l.sky *= tracedRise(l.traced->sky, e.y), l.ground *= tracedRise(l.traced->ground, e.y);
+    const TracedFactors& traced = l.traced->*over;
+    l.sky *= tracedRise(traced.sky, e.y), l.ground *= tracedRise(traced.ground, e.y);
     if (l.shade)
         for (auto& [direction, color] : l.suns)
-            color *= glm::mix(glm::vec3(1), tracedDirect(*l.traced, e, direction), f32::tracedShare(l.density, across));
+            color *= glm::mix(glm::vec3(1), tracedBeside(traced, e, direction), f32::tracedShare(l.density, across));
     return l;
 }
 
-Mean asBlades(const std::vector<Posed>& points, const glm::vec3& e, const FieldLight& light) {
-    const FieldLight l = tracedAlong(light, e, light.density == 1 ? 1 : areaAcross(points));
+Mean asBlades(const std::vector<Posed>& points, const glm::vec3& e, const FieldLight& light,
+              Factors over = &TracedLight::blades) {
+    const FieldLight l = tracedAlong(light, e, light.density == 1 ? 1 : areaAcross(points), over);
     Mean m;
     eachSeen(points, e, l.density, [&](const Posed& p, float seen) {
         const float w = p.area * std::abs(glm::dot(p.normal, e)) * seen;
@@ -187,6 +192,20 @@ Mean asFar(const std::vector<Posed>& points, const FieldLight& l, const glm::vec
     return m;
 }
 
+float luminance(const glm::vec3& c) { return glm::dot(c, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
+// Of lamps, as a polynomial of the sine of their elevations.
+glm::vec3 lampHotSpot(const TracedFactors& traced) {
+    constexpr float kSines[] = {0.1f, 0.5f, 0.9f};
+    glm::mat3 rises;
+    glm::vec3 shares;
+    for (int i = 0; i < 3; ++i) {
+        const float y = kSines[i];
+        rises[i] = f32::tracedRise(y);
+        shares[i] = luminance(tracedHotSpot(traced, {std::sqrt(1 - y * y), y, 0}));
+    }
+    return glm::inverse(glm::transpose(rises)) * shares;
+}
+
 // share: of a quarter turn up, as a sine's root.
 glm::vec3 directionOf(float azimuth, float share) {
     const float y = std::clamp(share * share, kLeast, 0.999f), h = std::sqrt(1 - y * y);
@@ -202,26 +221,36 @@ float quotient(float a, float b, float least = 0.02f) { return b > 1e-9f ? std::
 glm::vec3 quotient(const glm::vec3& a, const glm::vec3& b) {
     return {quotient(a.x, b.x), quotient(a.y, b.y), quotient(a.z, b.z)};
 }
-float luminance(const glm::vec3& c) { return glm::dot(c, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
+
+// What the horizontal slice is to send along e. Its images are of a view from above, in which Beer's law errs as it
+// does for blades that are seen from there; as one looks less steeply it errs otherwise, and rays have told by how
+// much.
+glm::vec3 asFarShould(const std::vector<Posed>& points, const glm::vec3& e, const FieldLight& l) {
+    const glm::vec3 up(0, 1, 0);
+    const auto both = [&](Factors over) { return asBlades(points, up, l, over).value(); };
+    return asBlades(points, e, l, &TracedLight::means).value() *
+           quotient(both(&TracedLight::blades), both(&TracedLight::means));
+}
 
 // By view, how many times as bright blades are that lie: their faces turn up, and none stands in another's light
-// (lib/blade.glsl).
-std::array<glm::vec4, LOOK_VIEWS> laidGains(const Look& look, const FieldLight& light) {
+// (lib/blade.glsl). Over blades that stand; and over what the horizontal slice sends of them.
+void addLaidGains(const Look& look, const FieldLight& light, Gains& out) {
     const auto standing = posed(look, glm::vec2(0), look.clumpLean), laid = posed(look, glm::vec2(0), 0, 1);
     const BladeShade none{.rows = {1.0f}};
     FieldLight open = light;
     TracedLight indirect;  // light from all around is as among blades that stand, direct light as without them
     if (light.traced) {
-        indirect = *light.traced, indirect.direct = {};
-        indirect.direct[0] = glm::vec3(1);
+        indirect = *light.traced, indirect.blades.direct = {};
+        indirect.blades.direct[0] = glm::vec3(1);
         open.traced = &indirect;
     }
     if (light.shade) open.shade = &none;
-    std::array<glm::vec4, LOOK_VIEWS> out;
-    for (int i = 0; i < LOOK_VIEWS; ++i)
-        out[static_cast<size_t>(i)] = glm::vec4(
-            quotient(asBlades(laid, viewOf(i), open).value(), asBlades(standing, viewOf(i), light).value()), 0);
-    return out;
+    for (int i = 0; i < LOOK_VIEWS; ++i) {
+        const auto at = static_cast<size_t>(i);
+        const glm::vec3 e = viewOf(i), bright = asBlades(laid, e, open).value();
+        out.laid[at] = glm::vec4(quotient(bright, asBlades(standing, e, light).value()), 0);
+        out.farLaid[at] = glm::vec4(quotient(bright, asFarShould(standing, e, light)), 0);
+    }
 }
 
 }  // namespace
@@ -262,6 +291,10 @@ void updateLook(Look& look, uint64_t& madeFrom, const Species& s, const Patch& p
     const auto points = posed(look, glm::vec2(0), look.clumpLean), laid = posed(look, glm::vec2(0), 0, 1);
     look.across = areaAcross(points), look.above = areaTowards(points, {0, 1, 0});
     look.laidAcross = areaAcross(laid), look.laidAbove = areaTowards(laid, {0, 1, 0});
+}
+
+glm::vec3 meanOfBlades(const Look& look, const glm::vec3& toEye, const FieldLight& light) {
+    return asBlades(posed(look, glm::vec2(0), look.clumpLean), toEye, light).value();
 }
 
 float lightLeft(const Look& look, float sinElevation) {
@@ -306,10 +339,13 @@ glm::vec4 imageWeights(const glm::vec3& l, LightWeighting weighting) {
 
 Gains gainsOf(const Look& look, const FieldLight& light) {
     Gains out;
+    if (light.traced && light.shade && !light.suns.empty())
+        out.hotSpot = tracedHotSpot(light.traced->blades, light.suns[0].first);
+    if (light.traced && light.lampsCast) out.lampHotSpot = lampHotSpot(light.traced->blades);
     out.sliceAmbient = 0.5f * (light.sky + light.ground);
     out.farAmbient = 0.25f * light.ground + 0.75f * light.sky;
-    out.laid.fill(glm::vec4(1, 1, 1, 0));
-    if (light.pressed) out.laid = laidGains(look, light);
+    for (auto* laid : {&out.laid, &out.farLaid}) laid->fill(glm::vec4(1, 1, 1, 0));
+    if (light.pressed) addLaidGains(look, light, out);
     std::vector<glm::vec4> weights;
     for (const auto& [direction, color] : light.suns) weights.push_back(imageWeights(direction, light.weighting));
     const auto plain = posed(look, glm::vec2(0), 0), clumped = posed(look, glm::vec2(0), look.clumpLean);
@@ -330,9 +366,9 @@ Gains gainsOf(const Look& look, const FieldLight& light) {
         const glm::vec3 e = viewOf(i), blades = asBlades(clumped, e, light).value();
         out.slices[static_cast<size_t>(i)] =
             glm::vec4(quotient(blades, asSlices(plain, e, light, out.sliceAmbient, weights).value()), 0);
-        out.far[static_cast<size_t>(i)] = glm::vec4(quotient(blades, far), 0);
+        out.far[static_cast<size_t>(i)] = glm::vec4(quotient(asFarShould(clumped, e, light), far), 0);
         out.thin[static_cast<size_t>(i)] =
-            light.painted ? glm::vec4(quotient(asBlades(clumped, e, sparse).value(), far), 0) : glm::vec4(1, 1, 1, 0);
+            light.painted ? glm::vec4(quotient(asFarShould(clumped, e, sparse), far), 0) : glm::vec4(1, 1, 1, 0);
         if (light.lean <= 0) continue;
         const auto change = [&](int plus) {
             const float a = luminance(asBlades(leant[plus], e, light).value()),
@@ -357,19 +393,20 @@ LampGains lampGainsOf(const Look& look, FieldLight leaves) {
             return static_cast<float>(i / n % LAMP_ELEVATIONS) / (LAMP_ELEVATIONS - 1);
         };
         const float between = std::acos(1 - 2 * static_cast<float>(i % LAMP_AZIMUTHS) / (LAMP_AZIMUTHS - 1));
-        glm::vec3 blades(0), vertical(0), horizontal(0);
+        glm::vec3 blades(0), fromAbove(0), vertical(0), horizontal(0);
         for (const float turn : kTurns) {
             const glm::vec3 e = directionOf(turn, share(LAMP_AZIMUTHS)),
                             lamp = directionOf(turn + between, share(LAMP_AZIMUTHS * LAMP_ELEVATIONS));
             leaves.suns = images.suns = {{lamp, glm::vec3(1)}};
             const std::vector<glm::vec4> weights{imageWeights(lamp, images.weighting)};
             blades += asBlades(clumped, e, leaves).value();
+            fromAbove += asFarShould(clumped, e, leaves);
             vertical += asSlices(plain, e, images, glm::vec3(0), weights).value();
             horizontal += asFar(plain, images, glm::vec3(0), weights).value();
         }
-        const float bright = luminance(blades);
         // Blades are all but black before a lamp.
-        out[i] = {quotient(bright, luminance(vertical), 0.02f), quotient(bright, luminance(horizontal), 0.02f)};
+        out[i] = {quotient(luminance(blades), luminance(vertical), 0.02f),
+                  quotient(luminance(fromAbove), luminance(horizontal), 0.02f)};
     }
     return out;
 }

@@ -65,9 +65,13 @@ struct FieldLight {
     LightWeighting weighting = LightWeighting::Cosine;  // how slices weigh their images
     float density = 1;                                  // of the field there
     bool painted = false;                               // whether its density is: gains of thin grass are wanted
-    float lean = 0;        // that paint or wind gives, m per m: where their change is taken; 0: neither is there
-    bool pressed = false;  // whether something may press blades down
+    float lean = 0;          // that paint or wind gives, m per m: where their change is taken; 0: neither is there
+    bool pressed = false;    // whether something may press blades down
+    bool lampsCast = false;  // whether lamps do, so that blades shade blades in their light
 };
+
+// Mean radiance of what is seen of blades from a direction (unit, towards the eye), upright and drawn one by one.
+glm::vec3 meanOfBlades(const Look& look, const glm::vec3& toEye, const FieldLight& light);
 
 inline constexpr float kThinDensity = 1.0f / THIN_DENSITY;
 // By view: kLookAzimuths (x = cos a, z = sin a towards the eye) times kLookElevations (sine = (i / (n-1))^2).
@@ -78,9 +82,11 @@ struct Gains {
         far;  // rgb: factor of the horizontal slice; w: share by which a lean towards +z brightens
     std::array<glm::vec4, LOOK_VIEWS> thin;  // rgb: as `far` where the field's density is kThinDensity: one sees
                                              // further down, where others shade less
-    std::array<glm::vec4, LOOK_VIEWS>
-        laid;  // rgb: how many times as bright blades are that are pressed down; 1 where none may be
-    glm::vec3 sliceAmbient, farAmbient;  // ambient light that their texels are taken to receive
+    // rgb: how many times as bright blades are that are pressed down as vertical slices, and as the horizontal one, are
+    // of those that stand; 1 where none may be.
+    std::array<glm::vec4, LOOK_VIEWS> laid, farLaid;
+    glm::vec3 sliceAmbient, farAmbient;    // ambient light that their texels are taken to receive
+    glm::vec3 hotSpot{0}, lampHotSpot{0};  // as SliceGlobals has them
 };
 // Factors by which slices and pressed blades are drawn so that they are as bright as blades drawn one by one.
 Gains gainsOf(const Look& look, const FieldLight& light);

@@ -9,6 +9,14 @@
 namespace sward {
 namespace {
 
+bool lampsCast(const Project& project) {
+    const Light* sun = sunLight(project);
+    bool casts = false;
+    for (const auto& [name, entity] : project.entities)
+        if (const Light* light = project.registry.get<Light>(entity)) casts |= light != sun && light->castShadows;
+    return casts;
+}
+
 FieldLight fieldLight(const DrawContext& ctx, const GrownField& f, size_t index) {
     const Species& s = f.grows().species[index];
     const FeatureSet& features = f.features;
@@ -26,16 +34,10 @@ FieldLight fieldLight(const DrawContext& ctx, const GrownField& f, size_t index)
         l.lean = std::max(l.lean, std::clamp(windStrength(*firstOf<Wind>(ctx.project), s), 0.25f, 0.6f));
     l.painted = has(features, Feature::GrassDensity);
     l.pressed = has(features, Feature::Forces) || has(features, Feature::ForceMap);
+    l.lampsCast = has(features, Feature::Lamps) && f.species[index]->shade.texture && lampsCast(ctx.project);
     return l;
 }
 
-bool lampsCast(const Project& project) {
-    const Light* sun = sunLight(project);
-    bool casts = false;
-    for (const auto& [name, entity] : project.entities)
-        if (const Light* light = project.registry.get<Light>(entity)) casts |= light != sun && light->castShadows;
-    return casts;
-}
 // What a light's key reads of how blades shade and light each other.
 void addShading(std::vector<float>& read, const FieldLight& l) {
     if (l.shade) read.insert(read.end(), l.shade->rows.begin(), l.shade->rows.end());
@@ -43,7 +45,7 @@ void addShading(std::vector<float>& read, const FieldLight& l) {
     const auto add = [&](const auto& numbers) {
         for (const glm::vec3& n : numbers) read.insert(read.end(), {n.x, n.y, n.z});
     };
-    add(l.traced->direct), add(l.traced->sky), add(l.traced->ground);
+    for (const TracedFactors* f : {&l.traced->blades, &l.traced->means}) add(f->direct), add(f->sky), add(f->ground);
 }
 // Gains of lamps' light, where there are lamps.
 void updateLampGains(const DrawContext& ctx, const GrownField& f, GrownSpecies& s, FieldLight l) {
@@ -51,7 +53,7 @@ void updateLampGains(const DrawContext& ctx, const GrownField& f, GrownSpecies& 
         s.lampGains = {}, s.lampGainKey = 0;
         return;
     }
-    l.shade = s.shade.texture && lampsCast(ctx.project) ? &s.shade : nullptr;
+    l.shade = l.lampsCast ? &s.shade : nullptr;
     std::vector<float> read{l.translucency, l.gloss, l.roughness};
     addShading(read, l);
     const uint64_t key = hashBytes(read.data(), read.size() * sizeof(float)) ^ s.lookKey;
@@ -80,7 +82,8 @@ void updateGains(GrownSpecies& s, const FieldLight& l) {
                             l.gloss,
                             l.roughness,
                             l.pressed ? 1.0f : 0.0f,
-                            l.painted ? 1.0f : 0.0f};
+                            l.painted ? 1.0f : 0.0f,
+                            l.lampsCast ? 1.0f : 0.0f};
     addShading(read, l);
     for (const auto& [d, c] : l.suns) read.insert(read.end(), {d.x, d.y, d.z, c.x, c.y, c.z});
     const uint64_t key = hashBytes(read.data(), read.size() * sizeof(float)) ^ s.lookKey;
@@ -104,9 +107,14 @@ uint32_t packedGain(const glm::vec4& factor, float scale) {
 
 void setGains(SliceGlobals& g, bool conserving, Gains gains) {
     if (!conserving)
-        for (auto* factors : {&gains.slices, &gains.far, &gains.thin, &gains.laid}) factors->fill({1, 1, 1, 0});
+        for (auto* factors : {&gains.slices, &gains.far, &gains.thin, &gains.laid, &gains.farLaid})
+            factors->fill({1, 1, 1, 0});
+    g.hotSpot = conserving ? gains.hotSpot : glm::vec3(0);
+    g.lampHotSpot = conserving ? gains.lampHotSpot : glm::vec3(0);
     g.gainScale = {greatest(gains.slices), greatest(gains.far), greatest(gains.laid), greatest(gains.thin)};
+    g.farLaidScale = greatest(gains.farLaid);
     for (size_t i = 0; i < LOOK_VIEWS; ++i) {
+        g.farLaid[i / 4][static_cast<int>(i % 4)] = packedGain(gains.farLaid[i], g.farLaidScale);
         g.thin[i / 4][static_cast<int>(i % 4)] = packedGain(gains.thin[i], g.gainScale.w);
         g.gains[i] = {packedGain(gains.slices[i], g.gainScale.x), packedGain(gains.far[i], g.gainScale.y),
                       packedGain(gains.laid[i], g.gainScale.z), glm::packHalf2x16({gains.slices[i].w, gains.far[i].w})};

@@ -8,12 +8,20 @@ namespace sward {
 namespace {
 
 // Of one elevation of the light.
-std::array<glm::vec3, TRACED_TERMS> termsFor(const TracedLight& traced, float sinElevation) {
+std::array<glm::vec3, TRACED_TERMS> termsFor(const TracedFactors& traced, float sinElevation) {
     const glm::vec3 by = f32::tracedRise(sinElevation);
     std::array<glm::vec3, TRACED_TERMS> out{};
     for (size_t i = 0; i < traced.direct.size(); ++i)
         out[i % TRACED_TERMS] += by[static_cast<int>(i / TRACED_TERMS)] * traced.direct[i];
     return out;
+}
+
+// All of it but the glow.
+glm::vec3 sumBeside(const f32::TracedTerms& t, const std::array<glm::vec3, TRACED_TERMS>& numbers) {
+    glm::vec3 sum = numbers[6] * t.near2;
+    for (int i = 0; i < 3; ++i)
+        sum += numbers[static_cast<size_t>(i)] * t.rise[i] + numbers[static_cast<size_t>(i) + 3] * t.across[i];
+    return sum;
 }
 
 }  // namespace
@@ -33,19 +41,26 @@ const TracedLight* tracedOf(const DrawContext& ctx, const std::string& field, si
 
 TracedLight underSky(const TracedLight& traced, const glm::vec3& tilt) {
     TracedLight out = traced;
-    for (size_t i = 0; i < TRACED_RISE; ++i) out.sky[i] += tilt * traced.skyTilt[i];
+    for (TracedFactors* f : {&out.blades, &out.means})
+        for (size_t i = 0; i < TRACED_RISE; ++i) f->sky[i] += tilt * f->skyTilt[i];
     const float soil = traced.soilSky + traced.soilTilt * glm::dot(tilt, glm::vec3(0.2126f, 0.7152f, 0.0722f));
     out.soilSky = std::clamp(soil, 0.0f, 1.0f);
     return out;
 }
 
-glm::vec3 tracedDirect(const TracedLight& traced, const glm::vec3& toEye, const glm::vec3& towards) {
+glm::vec3 tracedDirect(const TracedFactors& traced, const glm::vec3& toEye, const glm::vec3& towards) {
     const f32::TracedTerms t = f32::tracedTerms(toEye, towards);
     const auto numbers = termsFor(traced, towards.y);
-    glm::vec3 sum = numbers[6] * t.glow;
-    for (int i = 0; i < 3; ++i)
-        sum += numbers[static_cast<size_t>(i)] * t.rise[i] + numbers[static_cast<size_t>(i) + 3] * t.across[i];
-    return glm::max(sum, glm::vec3(0));
+    return glm::max(sumBeside(t, numbers) + numbers[7] * t.glow, glm::vec3(0));
+}
+
+glm::vec3 tracedBeside(const TracedFactors& traced, const glm::vec3& toEye, const glm::vec3& towards) {
+    return glm::max(sumBeside(f32::tracedTerms(toEye, towards), termsFor(traced, towards.y)), glm::vec3(0));
+}
+
+glm::vec3 tracedHotSpot(const TracedFactors& traced, const glm::vec3& towards) {
+    const glm::vec3 beside = glm::max(tracedBeside(traced, towards, towards), glm::vec3(0.1f));
+    return glm::clamp(termsFor(traced, towards.y)[7] / beside, 0.0f, 4.0f);
 }
 
 glm::vec3 tracedRise(const std::array<glm::vec3, TRACED_RISE>& numbers, float sinElevation) {
@@ -58,9 +73,9 @@ float soilScattered(const TracedLight& traced, float sinElevation) {
 }
 
 void setTraced(SpeciesGlobals& g, const TracedLight* traced, const glm::vec3& sun) {
-    TracedLight none;
+    TracedFactors none;
     none.direct[0] = none.sky[0] = none.ground[0] = glm::vec3(1);
-    const TracedLight& t = traced ? *traced : none;
+    const TracedFactors& t = traced ? traced->blades : none;
     const auto numbers = termsFor(t, sun.y);
     for (size_t i = 0; i < TRACED_DIRECT; ++i) g.traced[i] = glm::vec4(t.direct[i], 0);
     for (size_t i = 0; i < TRACED_TERMS; ++i) g.tracedSun[i] = glm::vec4(numbers[i], 0);

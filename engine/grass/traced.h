@@ -18,15 +18,19 @@
 namespace sward {
 
 // Numbers of the polynomials of numerics/traced.h, red, green and blue.
-struct TracedLight {
+struct TracedFactors {
     std::array<glm::vec3, TRACED_DIRECT> direct{};       // as SpeciesGlobals::traced has them
     std::array<glm::vec3, TRACED_RISE> sky{}, ground{};  // of light from above and from below
     std::array<glm::vec3, TRACED_RISE> skyTilt{};        // what `sky` gains a unit of the sky's tilt (sky/daylight.h)
-    glm::vec3 soilScattered{0};                          // polynomial by the sun's elevation
-    float soilSky = 1;                                   // share of the sky's light that comes to the soil
-    float soilTilt = 0;                                  // what that gains a unit of tilt
 };
-// The same under a sky of this tilt: `sky` and `soilSky` are what they are there.
+struct TracedLight {
+    TracedFactors blades;        // over what local light says of each point of a blade that is seen
+    TracedFactors means;         // over what grass/appearance.h says of all that is seen
+    glm::vec3 soilScattered{0};  // polynomial by the sun's elevation
+    float soilSky = 1;           // share of the sky's light that comes to the soil
+    float soilTilt = 0;          // what that gains a unit of tilt
+};
+// The same under a sky of this tilt: both `sky` and `soilSky` are what they are there.
 TracedLight underSky(const TracedLight& traced, const glm::vec3& tilt);
 // Share of the light on what faces the sun, so high (sine), that comes to the soil from blade to blade.
 float soilScattered(const TracedLight& traced, float sinElevation);
@@ -46,7 +50,11 @@ struct TracedState : EffectState {
 // What is there for a species of a field; null: local light is all.
 const TracedLight* tracedOf(const DrawContext& ctx, const std::string& field, size_t species);
 // The factors for an eye and a light (unit, towards them), at least 0.
-glm::vec3 tracedDirect(const TracedLight& traced, const glm::vec3& toEye, const glm::vec3& towards);
+glm::vec3 tracedDirect(const TracedFactors& traced, const glm::vec3& toEye, const glm::vec3& towards);
+// The same without the glow about the light's own direction, which is narrower than a table of views is fine.
+glm::vec3 tracedBeside(const TracedFactors& traced, const glm::vec3& toEye, const glm::vec3& towards);
+// By what share of tracedBeside the glow is brighter in its middle, at least 0.
+glm::vec3 tracedHotSpot(const TracedFactors& traced, const glm::vec3& towards);
 glm::vec3 tracedRise(const std::array<glm::vec3, TRACED_RISE>& numbers, float sinElevation);
 // Writes them for shaders; sun: unit, towards it. Null: factors of 1.
 void setTraced(SpeciesGlobals& g, const TracedLight* traced, const glm::vec3& sun);

@@ -19,14 +19,14 @@
 namespace sward {
 namespace {
 
-constexpr uint32_t kVersion = 5;  // of the method: another one gives other factors
+constexpr uint32_t kVersion = 6;  // of the method: another one gives other factors
 constexpr int kRays = 640;        // that meet a blade, a view
 constexpr int kParts = 16;        // of a view's rays, each with its own sums, so that any number of threads adds alike
 constexpr int kMostBounces = 12;
 constexpr double kSide = 1000, kOff = 2e-5;  // metres: of the lawn; by which a path starts off a blade
-constexpr float kViews[kTracedViews] = {0.04f, 0.2f, 0.45f, 0.75f, 0.98f};
-constexpr float kLights[kTracedLights] = {0.12f, 0.3f, 0.55f, 0.8f, 0.99f};
-constexpr float kTurns[kTracedTurns] = {0, 0.35f, 0.8f, 1.4f, 2.2f, 3.1415927f};  // closest where one sees what is lit
+constexpr float kViews[kTracedViews] = {0.04f, 0.2f, 0.5f, 0.8f, 0.98f};
+constexpr float kLights[kTracedLights] = {0.1f, 0.2f, 0.5f, 0.8f, 0.99f};               // some from where an eye is
+constexpr float kTurns[kTracedTurns] = {0, 0.1f, 0.35f, 0.9f, 1.4f, 2.2f, 3.1415927f};  // closest to what is lit
 
 struct Dice {
     uint32_t seed, next = 0;
@@ -48,6 +48,7 @@ float luminance(const glm::vec3& c) { return glm::dot(c, glm::vec3(0.2126f, 0.71
 struct Lawn {
     Project project;
     BladeShade shade;
+    Look look;
     float height = 0;    // of its highest blade, metres
     float soilOpen = 1;  // share of the sky's light that comes to its soil
 };
@@ -69,6 +70,8 @@ Result<Lawn> lawnOf(const TracedSpec& spec) {
     lawn.height *= 1.05f;
     const BladeMask mask = makeBladeMask(s.species, patch, s.cellSize, s.shadowMask);
     lawn.shade = {0, mask.radius, mask.top, maskRows(mask)};
+    uint64_t made = 0;
+    updateLook(lawn.look, made, s.species, patch, 1, s.blade);
     return lawn;
 }
 
@@ -111,12 +114,14 @@ Lights lightsAbout(float azimuth) {
 struct ViewSums {
     std::array<TracedSums, kTracedLights * kTracedTurns> direct;
     TracedSums sky, tilt, ground;  // tilt: of a sky that is skyTilted
+    int met = 0;                   // rays
     void add(const ViewSums& o) {
         for (size_t i = 0; i < direct.size(); ++i)
             direct[i].local += o.direct[i].local, direct[i].full += o.direct[i].full;
         sky.local += o.sky.local, sky.full += o.sky.full;
         tilt.local += o.tilt.local, tilt.full += o.tilt.full;
         ground.local += o.ground.local, ground.full += o.ground.full;
+        met += o.met;
     }
 };
 
@@ -161,8 +166,7 @@ void addFull(Tracer& t, Surface s, glm::vec3 toEye, const Lights& lights, Dice& 
 // Rays of a part of a view, until enough of them have met a blade.
 ViewSums traceView(Tracer& t, int view, int part, int rays, const JobControl& control) {
     ViewSums sums;
-    int met = 0;
-    for (int n = 0; n < 8 * rays && met < rays && !control.cancelled(); ++n) {
+    for (int n = 0; n < 8 * rays && sums.met < rays && !control.cancelled(); ++n) {
         Dice dice{f32::hash3(static_cast<uint32_t>(view), static_cast<uint32_t>(part), static_cast<uint32_t>(n))};
         const float azimuth = f32::kTau * dice.unit();
         const glm::vec3 toEye = raised(azimuth, kViews[view]);
@@ -171,12 +175,37 @@ ViewSums traceView(Tracer& t, int view, int part, int rays, const JobControl& co
         const Ray ray{top, -glm::dvec3(toEye), 0, height / double(toEye.y), dice.grain()};
         const std::optional<Surface> s = t.rays.closest(ray, t.memory);
         if (!s) continue;
-        ++met;
+        ++sums.met;
         const Lights lights = lightsAbout(azimuth);
         addLocal(t.lawn, *s, toEye, lights, sums);
         addFull(t, *s, toEye, lights, dice, sums);
     }
     return sums;
+}
+
+// What appearance.h says of a view's rays; of a few azimuths, since cells are mirrored.
+void addMean(const Lawn& lawn, const Species& leaf, int view, ViewSums& sums) {
+    constexpr float kAzimuths[] = {0.196f, 0.982f};
+    FieldLight none;
+    none.sky = none.ground = glm::vec3(0);
+    none.translucency = leaf.translucency, none.gloss = leaf.gloss, none.roughness = leaf.roughness;
+    none.shade = &lawn.shade;
+    const double share = double(sums.met) / double(std::size(kAzimuths));
+    for (const float azimuth : kAzimuths) {
+        const auto add = [&](TracedSums& to, const FieldLight& light) {
+            to.mean += share * glm::dvec3(meanOfBlades(lawn.look, raised(azimuth, kViews[view]), light));
+        };
+        FieldLight above = none, below = none;
+        above.sky = below.ground = glm::vec3(1);
+        add(sums.sky, above), add(sums.ground, below);
+        const Lights lights = lightsAbout(azimuth);
+        for (size_t i = 0; i < lights.size(); ++i) {
+            FieldLight lit = none;
+            lit.suns = {{lights[i], glm::vec3(1)}};
+            add(sums.direct[i], lit);
+        }
+    }
+    sums.tilt.mean = sums.sky.mean;
 }
 
 // Light at the soil: paths up from it.
@@ -249,7 +278,8 @@ std::array<double, TRACED_DIRECT> termsOf(float view, float light, float turn) {
     std::array<double, TRACED_DIRECT> out{};
     for (int k = 0; k < 3; ++k) {
         const auto from = static_cast<size_t>(TRACED_TERMS * k);
-        out[from + 6] = static_cast<double>(by[k] * t.glow);
+        out[from + 6] = static_cast<double>(by[k] * t.near2);
+        out[from + 7] = static_cast<double>(by[k] * t.glow);
         for (int i = 0; i < 3; ++i) {
             out[from + static_cast<size_t>(i)] = static_cast<double>(by[k] * t.rise[i]);
             out[from + static_cast<size_t>(i) + 3] = static_cast<double>(by[k] * t.across[i]);
@@ -258,18 +288,47 @@ std::array<double, TRACED_DIRECT> termsOf(float view, float light, float turn) {
     return out;
 }
 
-std::array<glm::vec3, TRACED_RISE> fitRise(const std::array<TracedSums, kTracedViews>& sums) {
+// Of which of a table's sums a factor is the quotient over.
+using Below = glm::dvec3 TracedSums::*;
+
+std::array<glm::vec3, TRACED_RISE> fitRise(const std::array<TracedSums, kTracedViews>& sums, Below below) {
     Fit<TRACED_RISE> fit;
     for (size_t i = 0; i < sums.size(); ++i) {
         const glm::vec3 rise = f32::tracedRise(kViews[i]);
         fit.add({static_cast<double>(rise.x), static_cast<double>(rise.y), static_cast<double>(rise.z)},
-                sums[i].full / glm::max(sums[i].local, glm::dvec3(1e-9)), 1);
+                sums[i].full / glm::max(sums[i].*below, glm::dvec3(1e-9)), 1);
     }
     return fit.solve();
 }
 
+std::array<glm::vec3, TRACED_DIRECT> fitDirect(const TracedTable& table, Below below) {
+    Fit<TRACED_DIRECT> fit;
+    for (int light = 0; light < kTracedLights; ++light) {
+        const auto sumsOf = [&](int view, int turn) -> const TracedSums& {
+            return table.direct[static_cast<size_t>(view)][static_cast<size_t>(light * kTracedTurns + turn)];
+        };
+        double mean = 0;
+        for (int view = 0; view < kTracedViews; ++view)
+            for (int turn = 0; turn < kTracedTurns; ++turn)
+                mean += (sumsOf(view, turn).*below).y / (kTracedViews * kTracedTurns);
+        if (!(mean > 0)) continue;
+        for (int view = 0; view < kTracedViews; ++view)
+            for (int turn = 0; turn < kTracedTurns; ++turn) {
+                const TracedSums& s = sumsOf(view, turn);
+                fit.add(termsOf(kViews[view], kLights[light], tracedTurn(turn)),
+                        s.full / glm::max(s.*below, glm::dvec3(1e-9)), (s.*below).y / mean);
+            }
+    }
+    return fit.solve();
+}
+
+TracedFactors factorsOver(Below below, const TracedTable& table) {
+    return {fitDirect(table, below), fitRise(table.sky, below), fitRise(table.ground, below),
+            fitRise(table.tilt, below)};
+}
+
 // --- the file of the cache: the numbers, and a hash of their bytes
-constexpr size_t kNumbers = 3 * (TRACED_DIRECT + 3 * TRACED_RISE + 1) + 2;
+constexpr size_t kNumbers = 3 * (2 * (TRACED_DIRECT + 3 * TRACED_RISE) + 1) + 2;
 static_assert(sizeof(TracedLight) == kNumbers * sizeof(float));
 
 std::filesystem::path tracedFile(const std::filesystem::path& folder, uint64_t key) {
@@ -383,6 +442,7 @@ Result<TracedTable> traceTable(const TracedSpec& spec, int rays, JobControl& con
     for (size_t view = 0; view < kTracedViews; ++view) {
         ViewSums all;
         for (size_t part = 0; part < kParts; ++part) all.add(sums[part * kTracedViews + view]);
+        addMean(*lawn, spec.species.species, static_cast<int>(view), all);
         table.direct[view] = all.direct;
         table.sky[view] = all.sky, table.tilt[view] = all.tilt, table.ground[view] = all.ground;
     }
@@ -390,24 +450,8 @@ Result<TracedTable> traceTable(const TracedSpec& spec, int rays, JobControl& con
 }
 
 TracedLight fitTraced(const TracedTable& table) {
-    Fit<TRACED_DIRECT> fit;
-    for (int light = 0; light < kTracedLights; ++light) {
-        const auto sumsOf = [&](int view, int turn) -> const TracedSums& {
-            return table.direct[static_cast<size_t>(view)][static_cast<size_t>(light * kTracedTurns + turn)];
-        };
-        double mean = 0;
-        for (int view = 0; view < kTracedViews; ++view)
-            for (int turn = 0; turn < kTracedTurns; ++turn)
-                mean += sumsOf(view, turn).local.y / (kTracedViews * kTracedTurns);
-        if (!(mean > 0)) continue;
-        for (int view = 0; view < kTracedViews; ++view)
-            for (int turn = 0; turn < kTracedTurns; ++turn) {
-                const TracedSums& s = sumsOf(view, turn);
-                fit.add(termsOf(kViews[view], kLights[light], tracedTurn(turn)),
-                        s.full / glm::max(s.local, glm::dvec3(1e-9)), s.local.y / mean);
-            }
-    }
-    TracedLight light{fit.solve(), fitRise(table.sky), fitRise(table.ground), fitRise(table.tilt)};
+    TracedLight light;
+    light.blades = factorsOver(&TracedSums::local, table), light.means = factorsOver(&TracedSums::mean, table);
     Fit<TRACED_RISE> scattered;
     for (size_t i = 0; i < kTracedLights; ++i) {
         const glm::dvec3 rise(f32::tracedRise(kLights[i]));

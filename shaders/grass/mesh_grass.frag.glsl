@@ -117,7 +117,8 @@ void addFlat(inout Sum sum, Shell shell, SliceRay ray, BladeLean p, vec3 gain, v
     vec4 leaf = textureGrad(flatReflectance, r.texel, r.dx, r.dy);
     leaf.rgb = paintedOn(leaf.rgb, c, pixel);
     FarLit lit = FarLit(shell.sun, shell.toField, shell.start + shell.way * e.t, shell.raise, slices.farAmbient * open,
-                        shell.visible * pastHorizon(shell, slices.farHeight), gain, shell.brighter);
+                        shell.visible * pastHorizon(shell, slices.farHeight), gain, shell.brighter,
+                        hotSpot(slices.hotSpot, -shell.seen, shell.sun.towards));
     vec3 light = clamp(farRadiance(flatLight, r, leaf, stored.zw, lit), vec3(0.0), vec3(kBrightest));
     add(sum, light, alpha, e.t);
 }
@@ -206,7 +207,7 @@ void main() {
     vec3 open = ambientLight(n) / max(ambientLight(vec3(0.0, 1.0, 0.0)), vec3(1e-6));
     vec3 plain = vec3(p.lighter * darkened(far) * slices.reflectScale);
     vec3 shown = plain * sliceGain(toEye, p.free, 0.0, false);
-    shell.gain = SUN ? shown * frame.sunLight * frame.sunIsUp : vec3(0.0);
+    shell.gain = SUN ? shown * hotSpot(slices.hotSpot, toEye, sun) * frame.sunLight * frame.sunIsUp : vec3(0.0);
     shell.ambient = shown * slices.ambient * open;
     shell.brighter = plain;
     shell.raise = n;

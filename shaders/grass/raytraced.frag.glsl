@@ -124,9 +124,9 @@ void main() {
     shell.turned = CONSERVING ? verticalShare(toEye.y) * abs(way.xz) / level : vec2(1.0);
     float plain = p.lighter * darkened(far) * slices.reflectScale;
     vec3 shown = plain * sliceGain(toEye, p.free, press, false);
-    shell.gain = SUN ? shown * frame.sunLight * frame.sunIsUp : vec3(0.0);
+    shell.gain = SUN ? shown * sunsHotSpot(toEye, press) * frame.sunLight * frame.sunIsUp : vec3(0.0);
     shell.ambient = shown * slices.ambient * skyShare(uv);
-    shell.brighter = plain * laidGain(lookTap(toEye), press);
+    shell.brighter = plain * laidGain(lookTap(toEye), press, false);
 
     vec2 comesIn = toCells(shell.start.xz);
     uint grain = INSIDE ? grainAt(comesIn + way.xz, way.y, far) : grainAt(comesIn, 0.0, far);

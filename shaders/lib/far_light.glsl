@@ -17,6 +17,7 @@ struct FarLit {
     float visible;  // share of the sun that is seen from there
     vec3 gain;      // of the sun's and the sky's light
     vec3 brighter;  // of lamps' light
+    vec3 hotSpot;   // of the sun's (lib/slices.glsl)
 };
 
 // A lamp's light there, with its gain, and its five weights.
@@ -77,7 +78,7 @@ vec3 farFullSends(sampler2DArray lightImages, Repeated r, vec4 images, float upp
 vec3 farRadiance(sampler2DArray lightImages, Repeated r, vec4 leaf, vec2 above, FarLit here) {
     vec3 light = here.gain * here.ambient * leaf.rgb * leaf.a;
     if (!SUN && !LAMPS) return light;
-    vec3 sun = SUN ? frame.sunLight * frame.sunIsUp * here.visible : vec3(0.0);
+    vec3 sun = SUN ? here.hotSpot * frame.sunLight * (frame.sunIsUp * here.visible) : vec3(0.0);
     vec4 w = here.sun.weights, images = farImages(r, w);
     if (STORAGE == FULL_STORAGE) return light + farFullSends(lightImages, r, images, w.y, sun, here);
     vec4 lit = textureGrad(lightImages, r.texel, r.dx, r.dy);

@@ -1,5 +1,5 @@
 // What vertical and horizontal slices share: their images, light from tabulated directions, gains by view.
-// Needs: const bool GRASS_DENSITY, GRASS_VEGETATION, FORCES, FORCE_MAP, TRANSLUCENCY, CONSERVING,
+// Needs: const bool GRASS_DENSITY, GRASS_VEGETATION, GRASS_TRACED, FORCES, FORCE_MAP, TRANSLUCENCY, CONSERVING,
 // LIGHT_COSINE.
 #include "lib/field.glsl"
 #include "lib/density.glsl"
@@ -9,6 +9,7 @@
 #include "numerics/leaf.h"
 #include "numerics/opacity.h"
 #include "numerics/sowing.h"
+#include "numerics/traced.h"
 #include "numerics/weights.h"
 #include "shared/bindings.h"
 #include "shared/slices.h"
@@ -54,9 +55,15 @@ vec2 mixLeans(LookTap t, uvec4 bits) {
            t.weight.z * unpackHalf2x16(bits.z) + t.weight.w * unpackHalf2x16(bits.w);
 }
 
+// One number a view of four of them.
+uvec4 atViews(LookTap t, uvec4 numbers[LOOK_QUARTERS]) {
+    ivec4 at = t.view / 4, one = t.view % 4;
+    return uvec4(numbers[at.x][one.x], numbers[at.y][one.y], numbers[at.z][one.z], numbers[at.w][one.w]);
+}
 // How many times as bright grass is where it is laid down so far.
-vec3 laidGain(LookTap t, float press) {
+vec3 laidGain(LookTap t, float press, bool far) {
     if (!FORCES && !FORCE_MAP) return vec3(1.0);
+    if (far) return mix(vec3(1.0), mixGains(t, atViews(t, slices.farLaid), slices.farLaidScale), press);
     uvec4 bits = uvec4(slices.gains[t.view.x].laid, slices.gains[t.view.y].laid, slices.gains[t.view.z].laid,
                        slices.gains[t.view.w].laid);
     return mix(vec3(1.0), mixGains(t, bits, slices.gainScale.z), press);
@@ -70,7 +77,7 @@ vec3 sliceGain(vec3 toEye, vec2 lean, float press, bool far) {
     float leant = max(1.0 + dot(lean, mixLeans(t, uvec4(a.lean, b.lean, c.lean, d.lean))), 0.1);
     vec3 gain = leant * (far ? mixGains(t, uvec4(a.above, b.above, c.above, d.above), slices.gainScale.y)
                              : mixGains(t, uvec4(a.across, b.across, c.across, d.across), slices.gainScale.x));
-    return gain * laidGain(t, press);
+    return gain * laidGain(t, press, far);
 }
 // sliceGain of the horizontal slice where the field's density is so: between what it is at full density and at the thin
 // one by its logarithm.
@@ -78,14 +85,19 @@ vec3 farGain(vec3 toEye, vec2 lean, float press, float density) {
     vec3 full = sliceGain(toEye, lean, press, true);
     if (!GRASS_DENSITY || density >= 1.0) return full;
     LookTap t = lookTap(toEye);
-    ivec4 at = t.view / 4, one = t.view % 4;
-    uvec4 bits = uvec4(slices.thin[at.x][one.x], slices.thin[at.y][one.y], slices.thin[at.z][one.z],
-                       slices.thin[at.w][one.w]),
-          dense = uvec4(slices.gains[t.view.x].above, slices.gains[t.view.y].above, slices.gains[t.view.z].above,
+    uvec4 dense = uvec4(slices.gains[t.view.x].above, slices.gains[t.view.y].above, slices.gains[t.view.z].above,
                         slices.gains[t.view.w].above);
-    vec3 thin = full * mixGains(t, bits, slices.gainScale.w) / max(mixGains(t, dense, slices.gainScale.y), vec3(1e-4));
+    vec3 thin = full * mixGains(t, atViews(t, slices.thin), slices.gainScale.w) /
+                max(mixGains(t, dense, slices.gainScale.y), vec3(1e-4));
     return mix(thin, full, clamp(1.0 + log2(max(density, 1e-3)) / log2(float(THIN_DENSITY)), 0.0, 1.0));
 }
+// By how much more light slices send where one looks along it: gains hold for views an eighth of a turn apart. share:
+// as `hotSpot` of SliceGlobals.
+vec3 hotSpot(vec3 share, vec3 toEye, vec3 towards) {
+    return GRASS_TRACED ? 1.0 + share * tracedGlow(toEye, towards) : vec3(1.0);
+}
+// The sun's; grass that is pressed down hides no shadows.
+vec3 sunsHotSpot(vec3 toEye, float press) { return hotSpot(slices.hotSpot * (1.0 - press), toEye, frame.sunDirection); }
 // The same for a lamp's light, without what forces do: of vertical slices, and of the horizontal one. Towards the eye
 // and the lamp, unit, in the field's axes.
 vec2 lampGain(vec3 toEye, vec3 towards) {
@@ -93,7 +105,8 @@ vec2 lampGain(vec3 toEye, vec3 towards) {
     float cosine = dot(toEye.xz, towards.xz) / max(level.x * level.y, 1e-6);
     vec3 size = vec3(LAMP_AZIMUTHS, LAMP_ELEVATIONS, LAMP_ELEVATIONS),
          at = vec3(0.5 - 0.5 * clamp(cosine, -1.0, 1.0), sqrt(clamp(vec2(toEye.y, towards.y), 0.0, 1.0)));
-    return textureLod(lampGains, (at * (size - 1.0) + 0.5) / size, 0.0).rg;
+    float share = max(dot(slices.lampHotSpot, tracedRise(towards.y)), 0.0);
+    return textureLod(lampGains, (at * (size - 1.0) + 0.5) / size, 0.0).rg * hotSpot(vec3(share), toEye, towards).x;
 }
 
 // The chance of a cell (numerics/sowing.h), and the opacity of what a slice stores there (texelOpacity).

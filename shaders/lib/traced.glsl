@@ -12,7 +12,7 @@ vec3 tracedLamp(vec3 toEye, vec3 towards, float density) {
     vec3 by = tracedRise(towards.y), sum = vec3(0.0);
     for (int k = 0; k < 3; ++k) {
         int from = TRACED_TERMS * k;
-        sum += by[k] * t.glow * species.traced[from + 6].rgb;
+        sum += by[k] * (t.near2 * species.traced[from + 6].rgb + t.glow * species.traced[from + 7].rgb);
         for (int i = 0; i < 3; ++i)
             sum += by[k] * (species.traced[from + i].rgb * t.rise[i] + species.traced[from + 3 + i].rgb * t.across[i]);
     }
@@ -22,7 +22,7 @@ vec3 tracedLamp(vec3 toEye, vec3 towards, float density) {
 vec3 tracedSun(vec3 toEye, float density) {
     if (!GRASS_TRACED) return vec3(1.0);
     TracedTerms t = tracedTerms(toEye, frame.sunDirection);
-    vec3 sum = species.tracedSun[6].rgb * t.glow;
+    vec3 sum = species.tracedSun[6].rgb * t.near2 + species.tracedSun[7].rgb * t.glow;
     for (int i = 0; i < 3; ++i)
         sum += species.tracedSun[i].rgb * t.rise[i] + species.tracedSun[3 + i].rgb * t.across[i];
     return mix(vec3(1.0), max(sum, vec3(0.0)), tracedShare(density, species.area.x));

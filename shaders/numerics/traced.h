@@ -19,8 +19,18 @@ FN real tracedShare(real density, real area) {
 struct TracedTerms {
     vec3 rise;    // of the eye: tracedRise
     vec3 across;  // h, h y, h^2
-    real glow;    // near to the light's own direction, where one sees what is lit alone: cosine^8 of the angle between
+    real near2;   // square of the cosine between, on the light's side
+    real glow;    // tracedGlow
 };
+// How nearly an eye looks along the light (both unit): 1 where it does, and sees what is lit alone; a third at 3
+// degrees to a side, where blades no longer hide their shadows, and at 10 degrees higher or lower: there the shadow
+// still falls on the blade itself, or behind it.
+FN real tracedGlow(vec3 toEye, vec3 towards) {
+    real eye = length(vec2(toEye.x, toEye.z)), light = length(vec2(towards.x, towards.z));
+    real aside2 = real(2.0) * max(eye * light - toEye.x * towards.x - toEye.z * towards.z, real(0.0));
+    real level = eye - light, up = toEye.y - towards.y;
+    return exp(-sqrt(real(400.0) * aside2 + real(36.0) * (level * level + up * up)));
+}
 // Towards the eye and the light, unit; h is the product of their level parts.
 FN TracedTerms tracedTerms(vec3 toEye, vec3 towards) {
     TracedTerms t;
@@ -28,8 +38,7 @@ FN TracedTerms tracedTerms(vec3 toEye, vec3 towards) {
     real h = toEye.x * towards.x + toEye.z * towards.z;
     t.across = vec3(h, h * t.rise.y, h * h);
     real near = max(h + t.rise.y * towards.y, real(0.0));
-    real near2 = near * near;
-    real near4 = near2 * near2;
-    t.glow = near4 * near4;
+    t.near2 = near * near;
+    t.glow = tracedGlow(toEye, towards);
     return t;
 }

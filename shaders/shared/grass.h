@@ -4,8 +4,8 @@
 #include "shared/types.h"
 #define MAX_SPECIES 16  // of a field
 #define TRACED_RISE 3   // numbers by elevation alone
-#define TRACED_TERMS 7  // and by the way that light and eye stand to each other, of one elevation of the light
-#define TRACED_DIRECT 21
+#define TRACED_TERMS 8  // and by the way that light and eye stand to each other, of one elevation of the light
+#define TRACED_DIRECT 24
 #ifdef __cplusplus
 namespace sward {
 #endif

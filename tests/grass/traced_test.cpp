@@ -11,10 +11,10 @@ namespace {
 
 TracedLight someLight() {
     TracedLight t;
-    for (size_t i = 0; i < t.direct.size(); ++i)
-        t.direct[i] = glm::vec3(0.1f, 0.2f, -0.05f) * static_cast<float>(i + 1);
-    t.sky = {glm::vec3(2), glm::vec3(-0.5f), glm::vec3(0.1f)};
-    t.ground = {glm::vec3(0.2f), glm::vec3(0), glm::vec3(1)};
+    for (size_t i = 0; i < t.blades.direct.size(); ++i)
+        t.blades.direct[i] = glm::vec3(0.1f, 0.2f, -0.05f) * static_cast<float>(i + 1);
+    t.blades.sky = {glm::vec3(2), glm::vec3(-0.5f), glm::vec3(0.1f)};
+    t.blades.ground = {glm::vec3(0.2f), glm::vec3(0), glm::vec3(1)};
     t.soilScattered = {0.01f, 0.02f, -0.1f};
     t.soilSky = 0.4f;
     return t;
@@ -23,7 +23,7 @@ TracedLight someLight() {
 // What a shader makes of the numbers it is given.
 glm::vec3 asShadersRead(const SpeciesGlobals& g, const glm::vec3& toEye, const glm::vec3& sun) {
     const f32::TracedTerms t = f32::tracedTerms(toEye, sun);
-    glm::vec3 sum = glm::vec3(g.tracedSun[6]) * t.glow;
+    glm::vec3 sum = glm::vec3(g.tracedSun[6]) * t.near2 + glm::vec3(g.tracedSun[7]) * t.glow;
     for (int i = 0; i < 3; ++i)
         sum += glm::vec3(g.tracedSun[i]) * t.rise[i] + glm::vec3(g.tracedSun[i + 3]) * t.across[i];
     return glm::max(sum, glm::vec3(0));
@@ -37,18 +37,19 @@ TEST(Traced, ShadersReadTheSunsFactorsAsTheEngineDoes) {
     const TracedLight light = someLight();
     setTraced(g, &light, sun);
     for (const glm::vec3& eye : {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::normalize(glm::vec3(-1, 0.2f, 0.7f))}) {
-        const glm::vec3 want = tracedDirect(light, eye, sun), got = asShadersRead(g, eye, sun);
+        const glm::vec3 want = tracedDirect(light.blades, eye, sun), got = asShadersRead(g, eye, sun);
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(got[c], want[c], 1e-5f * (1 + want[c]));
     }
 }
 
 TEST(Traced, FactorsNeverDarkenBelowNothing) {
     const TracedLight light = someLight();
-    EXPECT_EQ(tracedDirect(light, {0, 1, 0}, {0, 1, 0}).z, 0.0f) << "its polynomial is negative there";
+    EXPECT_EQ(tracedDirect(light.blades, {0, 1, 0}, {0, 1, 0}).z, 0.0f) << "its polynomial is negative there";
     EXPECT_EQ(soilScattered(light, 1), 0.0f);
     EXPECT_GT(soilScattered(light, 0.2f), 0.0f);
-    EXPECT_EQ(tracedRise(light.sky, 0), glm::vec3(2));
-    EXPECT_EQ(tracedRise(light.sky, -1), tracedRise(light.sky, 0)) << "an eye below the blade looks along the ground";
+    EXPECT_EQ(tracedRise(light.blades.sky, 0), glm::vec3(2));
+    EXPECT_EQ(tracedRise(light.blades.sky, -1), tracedRise(light.blades.sky, 0))
+        << "an eye below the blade looks along the ground";
 }
 
 TEST(Traced, DeepGrassHasAllOfItsFactorAtAnyDensityAndSparseGrassByIt) {
@@ -62,16 +63,18 @@ TEST(Traced, DeepGrassHasAllOfItsFactorAtAnyDensityAndSparseGrassByIt) {
 
 TEST(Traced, ATiltedSkyChangesWhatComesFromTheSkyAlone) {
     TracedLight light = someLight();
-    light.skyTilt = {glm::vec3(0.5f), glm::vec3(0), glm::vec3(-0.25f)};
+    light.blades.skyTilt = {glm::vec3(0.5f), glm::vec3(0), glm::vec3(-0.25f)};
+    light.means = light.blades;
     light.soilTilt = -0.1f;
     const TracedLight here = underSky(light, {1, 2, 0});
-    EXPECT_EQ(here.sky[0], light.sky[0] + glm::vec3(0.5f, 1, 0));
-    EXPECT_EQ(here.sky[1], light.sky[1]);
-    EXPECT_EQ(here.sky[2], light.sky[2] - glm::vec3(0.25f, 0.5f, 0));
+    EXPECT_EQ(here.blades.sky[0], light.blades.sky[0] + glm::vec3(0.5f, 1, 0));
+    EXPECT_EQ(here.blades.sky[1], light.blades.sky[1]);
+    EXPECT_EQ(here.blades.sky[2], light.blades.sky[2] - glm::vec3(0.25f, 0.5f, 0));
+    EXPECT_EQ(here.means.sky, here.blades.sky) << "slices have the same sky";
     EXPECT_NEAR(here.soilSky, 0.4f - 0.1f * (0.2126f + 2 * 0.7152f), 1e-6f);
-    EXPECT_EQ(here.direct, light.direct);
-    EXPECT_EQ(here.ground, light.ground);
-    EXPECT_EQ(underSky(light, glm::vec3(0)).sky, light.sky);
+    EXPECT_EQ(here.blades.direct, light.blades.direct);
+    EXPECT_EQ(here.blades.ground, light.blades.ground);
+    EXPECT_EQ(underSky(light, glm::vec3(0)).blades.sky, light.blades.sky);
 }
 
 }  // namespace

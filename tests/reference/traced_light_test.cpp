@@ -56,10 +56,10 @@ TEST(TracedLightOf, BlackBladesSendNoLightToEachOtherAndBrightOnesDo) {
 TEST(TracedLightOf, WhatLooksAlongTheLightSeesWhatIsLit) {
     const TracedTable t = tableOf(coloured(0.02f, 0), 320);
     const auto quotient = [&](size_t turn) {
-        const TracedSums& s = t.direct[2][1 * kTracedTurns + turn];  // 27 degrees up, the light 17
+        const TracedSums& s = t.direct[2][2 * kTracedTurns + turn];  // both 30 degrees up
         return s.full.y / s.local.y;
     };
-    EXPECT_GT(quotient(0), 1.1 * quotient(2));
+    EXPECT_GT(quotient(0), 1.1 * quotient(3));
 }
 
 // Per unit of the sky's tilt, of what the lawn has under an even sky.
@@ -83,7 +83,7 @@ TEST(TracedLightOf, IsTheSameEachTime) {
 }
 
 TEST(TracedLightOf, ATableThatIsAPolynomialIsFittedByIt) {
-    TracedLight want;
+    TracedFactors want;
     for (size_t i = 0; i < want.direct.size(); ++i) want.direct[i] = glm::vec3(i == 0 ? 1.0f : 0.03f * float(i % 5));
     want.sky = {glm::vec3(1.8f), glm::vec3(-0.6f), glm::vec3(0.1f)}, want.ground = {glm::vec3(0.2f), {}, glm::vec3(1)};
     TracedTable t;
@@ -94,16 +94,19 @@ TEST(TracedLightOf, ATableThatIsAPolynomialIsFittedByIt) {
                 const float ly = tracedLightSine(l), across = std::sqrt(1 - ly * ly);
                 const glm::vec3 towards(across * std::cos(tracedTurn(k)), ly, across * std::sin(tracedTurn(k)));
                 t.direct[size_t(v)][size_t(l * kTracedTurns + k)] = {
-                    glm::dvec3(2), glm::dvec3(2.0f * tracedDirect(want, {level, y, 0}, towards))};
+                    glm::dvec3(2), glm::dvec3(2.0f * tracedDirect(want, {level, y, 0}, towards)), glm::dvec3(4)};
             }
-        t.sky[size_t(v)] = {glm::dvec3(3), glm::dvec3(3.0f * tracedRise(want.sky, y))};
+        t.sky[size_t(v)] = {glm::dvec3(3), glm::dvec3(3.0f * tracedRise(want.sky, y)), glm::dvec3(6)};
         t.ground[size_t(v)] = {glm::dvec3(3), glm::dvec3(3.0f * tracedRise(want.ground, y))};
     }
-    const TracedLight got = fitTraced(t);
+    const TracedFactors got = fitTraced(t).blades, half = fitTraced(t).means;
     for (const glm::vec3& eye : {glm::vec3(0.8f, 0.6f, 0), glm::vec3(0, 1, 0)})
-        for (const glm::vec3& light : {glm::vec3(0.8f, 0.6f, 0), glm::normalize(glm::vec3(-1, 1, 1))})
+        for (const glm::vec3& light : {glm::vec3(0.8f, 0.6f, 0), glm::normalize(glm::vec3(-1, 1, 1))}) {
             EXPECT_NEAR(tracedDirect(got, eye, light).y, tracedDirect(want, eye, light).y, 0.02f);
+            EXPECT_NEAR(tracedDirect(half, eye, light).y, 0.5f * tracedDirect(want, eye, light).y, 0.02f);
+        }
     EXPECT_NEAR(tracedRise(got.sky, 0.5f).y, tracedRise(want.sky, 0.5f).y, 0.005f);
+    EXPECT_NEAR(tracedRise(half.sky, 0.5f).y, 0.5f * tracedRise(want.sky, 0.5f).y, 0.005f);
     EXPECT_NEAR(tracedRise(got.ground, 0.5f).y, tracedRise(want.ground, 0.5f).y, 0.005f);
 }
 
@@ -124,8 +127,8 @@ TEST(TracedLightOf, IsKeptAndADamagedFileIsMadeAnew) {
     }
     const auto again = tracedLight(folder.path, spec, control);
     ASSERT_TRUE(again);
-    EXPECT_EQ(again->direct, made->direct);
-    EXPECT_EQ(again->sky, made->sky);
+    EXPECT_EQ(again->blades.direct, made->blades.direct);
+    EXPECT_EQ(again->means.sky, made->means.sky);
     TracedSpec other = spec;
     other.species.species.gloss += 0.1f;
     EXPECT_NE(tracedKey(other), tracedKey(spec));
