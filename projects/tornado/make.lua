@@ -24,7 +24,8 @@ entity.add("wind", { Wind = { model = "waves", strength = 0.25, azimuthDeg = 110
 entity.add("human", { Camera = { eye = { 30, 6, 43 }, target = { 30, 0, 26 }, fovDeg = 60 } })
 entity.add("low", { Camera = { eye = { 24, 1.6, 35 }, target = { 30, 0.3, 26 }, fovDeg = 55 } })
 
--- Blades lie along circles around the foot, drawn inwards; flat near it, less with the distance, none in the eye.
+-- Blades lie along circles around the foot, drawn inwards; less with the distance, none in the eye. In two arms that wind
+-- inwards they are pressed flat, with their upper sides to the sky.
 map.create { path = forces, width = 512, height = 512, type = "u8", value = { 0.5, 0.5, 0, 0 } }
 map.fill(forces, function(x, z)
     local dx, dz = x - foot[1], z - foot[2]
@@ -34,6 +35,8 @@ map.fill(forces, function(x, z)
     local ox, oz = -math.sin(turn) - 0.45 * math.cos(turn), math.cos(turn) - 0.45 * math.sin(turn)
     local length = math.sqrt(ox * ox + oz * oz)
     local share = math.min(1, (r - 0.4) / 0.8) * (1 - r / 15) ^ 0.8
-    return 0.5 + 0.5 * ox / length, 0.5 + 0.5 * oz / length, 0.25 * (1 - r / 15), share
+    local arm = 0.5 + 0.5 * math.sin(2 * math.atan(dz, dx) - 9 * math.log(1 + 0.25 * r))
+    local press = (1 - r / 15) ^ 0.5 * (0.05 + 0.93 * arm ^ 1.5 * math.min(1, r / 1.5))
+    return 0.5 + 0.5 * ox / length, 0.5 + 0.5 * oz / length, press, share
 end)
 project.saveAs(".")
