@@ -225,11 +225,16 @@ glm::vec3 quotient(const glm::vec3& a, const glm::vec3& b) {
 // What the horizontal slice is to send along e. Its images are of a view from above, in which Beer's law errs as it
 // does for blades that are seen from there; as one looks less steeply it errs otherwise, and rays have told by how
 // much.
-glm::vec3 asFarShould(const std::vector<Posed>& points, const glm::vec3& e, const FieldLight& l) {
+struct FarAim {
+    FieldLight light;
+    glm::vec3 fromAbove;  // what the law sends of what rays see, from above
+};
+FarAim farAim(const std::vector<Posed>& points, const FieldLight& l) {
     const glm::vec3 up(0, 1, 0);
-    const auto both = [&](Factors over) { return asBlades(points, up, l, over).value(); };
-    return asBlades(points, e, l, &TracedLight::means).value() *
-           quotient(both(&TracedLight::blades), both(&TracedLight::means));
+    return {l, quotient(asBlades(points, up, l).value(), asBlades(points, up, l, &TracedLight::means).value())};
+}
+glm::vec3 aimAlong(const FarAim& aim, const std::vector<Posed>& points, const glm::vec3& e) {
+    return aim.fromAbove * asBlades(points, e, aim.light, &TracedLight::means).value();
 }
 
 // By view, how many times as bright blades are that lie: their faces turn up, and none stands in another's light
@@ -245,11 +250,12 @@ void addLaidGains(const Look& look, const FieldLight& light, Gains& out) {
         open.traced = &indirect;
     }
     if (light.shade) open.shade = &none;
+    const FarAim aim = farAim(standing, light);
     for (int i = 0; i < LOOK_VIEWS; ++i) {
         const auto at = static_cast<size_t>(i);
         const glm::vec3 e = viewOf(i), bright = asBlades(laid, e, open).value();
         out.laid[at] = glm::vec4(quotient(bright, asBlades(standing, e, light).value()), 0);
-        out.farLaid[at] = glm::vec4(quotient(bright, asFarShould(standing, e, light)), 0);
+        out.farLaid[at] = glm::vec4(quotient(bright, aimAlong(aim, standing, e)), 0);
     }
 }
 
@@ -352,6 +358,7 @@ Gains gainsOf(const Look& look, const FieldLight& light) {
     const auto far = asFar(plain, light, out.farAmbient, weights).value();
     FieldLight sparse = light;
     sparse.density = kThinDensity;
+    const FarAim aim = farAim(clumped, light), thinAim = farAim(clumped, sparse);
     std::vector<Posed> leant[4];
     for (int i = 0; i < 4 && light.lean > 0; ++i)
         leant[i] = posed(look,
@@ -366,9 +373,9 @@ Gains gainsOf(const Look& look, const FieldLight& light) {
         const glm::vec3 e = viewOf(i), blades = asBlades(clumped, e, light).value();
         out.slices[static_cast<size_t>(i)] =
             glm::vec4(quotient(blades, asSlices(plain, e, light, out.sliceAmbient, weights).value()), 0);
-        out.far[static_cast<size_t>(i)] = glm::vec4(quotient(asFarShould(clumped, e, light), far), 0);
+        out.far[static_cast<size_t>(i)] = glm::vec4(quotient(aimAlong(aim, clumped, e), far), 0);
         out.thin[static_cast<size_t>(i)] =
-            light.painted ? glm::vec4(quotient(asFarShould(clumped, e, sparse), far), 0) : glm::vec4(1, 1, 1, 0);
+            light.painted ? glm::vec4(quotient(aimAlong(thinAim, clumped, e), far), 0) : glm::vec4(1, 1, 1, 0);
         if (light.lean <= 0) continue;
         const auto change = [&](int plus) {
             const float a = luminance(asBlades(leant[plus], e, light).value()),
@@ -400,7 +407,7 @@ LampGains lampGainsOf(const Look& look, FieldLight leaves) {
             leaves.suns = images.suns = {{lamp, glm::vec3(1)}};
             const std::vector<glm::vec4> weights{imageWeights(lamp, images.weighting)};
             blades += asBlades(clumped, e, leaves).value();
-            fromAbove += asFarShould(clumped, e, leaves);
+            fromAbove += aimAlong(farAim(clumped, leaves), clumped, e);
             vertical += asSlices(plain, e, images, glm::vec3(0), weights).value();
             horizontal += asFar(plain, images, glm::vec3(0), weights).value();
         }

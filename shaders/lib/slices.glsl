@@ -55,15 +55,21 @@ vec2 mixLeans(LookTap t, uvec4 bits) {
            t.weight.z * unpackHalf2x16(bits.z) + t.weight.w * unpackHalf2x16(bits.w);
 }
 
-// One number a view of four of them.
-uvec4 atViews(LookTap t, uvec4 numbers[LOOK_QUARTERS]) {
+// Numbers of SliceGlobals that have one a view, of the four.
+uvec4 thinAt(LookTap t) {
     ivec4 at = t.view / 4, one = t.view % 4;
-    return uvec4(numbers[at.x][one.x], numbers[at.y][one.y], numbers[at.z][one.z], numbers[at.w][one.w]);
+    return uvec4(slices.thin[at.x][one.x], slices.thin[at.y][one.y], slices.thin[at.z][one.z],
+                 slices.thin[at.w][one.w]);
+}
+uvec4 farLaidAt(LookTap t) {
+    ivec4 at = t.view / 4, one = t.view % 4;
+    return uvec4(slices.farLaid[at.x][one.x], slices.farLaid[at.y][one.y], slices.farLaid[at.z][one.z],
+                 slices.farLaid[at.w][one.w]);
 }
 // How many times as bright grass is where it is laid down so far.
 vec3 laidGain(LookTap t, float press, bool far) {
     if (!FORCES && !FORCE_MAP) return vec3(1.0);
-    if (far) return mix(vec3(1.0), mixGains(t, atViews(t, slices.farLaid), slices.farLaidScale), press);
+    if (far) return mix(vec3(1.0), mixGains(t, farLaidAt(t), slices.farLaidScale), press);
     uvec4 bits = uvec4(slices.gains[t.view.x].laid, slices.gains[t.view.y].laid, slices.gains[t.view.z].laid,
                        slices.gains[t.view.w].laid);
     return mix(vec3(1.0), mixGains(t, bits, slices.gainScale.z), press);
@@ -87,8 +93,8 @@ vec3 farGain(vec3 toEye, vec2 lean, float press, float density) {
     LookTap t = lookTap(toEye);
     uvec4 dense = uvec4(slices.gains[t.view.x].above, slices.gains[t.view.y].above, slices.gains[t.view.z].above,
                         slices.gains[t.view.w].above);
-    vec3 thin = full * mixGains(t, atViews(t, slices.thin), slices.gainScale.w) /
-                max(mixGains(t, dense, slices.gainScale.y), vec3(1e-4));
+    vec3 thin =
+        full * mixGains(t, thinAt(t), slices.gainScale.w) / max(mixGains(t, dense, slices.gainScale.y), vec3(1e-4));
     return mix(thin, full, clamp(1.0 + log2(max(density, 1e-3)) / log2(float(THIN_DENSITY)), 0.0, 1.0));
 }
 // By how much more light slices send where one looks along it: gains hold for views an eighth of a turn apart. share:
