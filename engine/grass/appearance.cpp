@@ -1,6 +1,7 @@
 #include "grass/appearance.h"
 
 #include <algorithm>
+#include <map>
 
 #include "core/hash.h"
 #include "core/numerics.h"
@@ -395,19 +396,23 @@ LampGains lampGainsOf(const Look& look, FieldLight leaves) {
     const auto plain = posed(look, glm::vec2(0), 0), clumped = posed(look, glm::vec2(0), look.clumpLean);
     constexpr float kTurns[] = {0.196f, 0.982f};  // of all, by the symmetry of mirrored cells
     LampGains out;
+    std::map<std::array<size_t, 3>, FarAim> aims;  // by the lamp's azimuth and elevation and the turn: for any eye
     for (size_t i = 0; i < out.size(); ++i) {
         const auto share = [&](size_t n) {
             return static_cast<float>(i / n % LAMP_ELEVATIONS) / (LAMP_ELEVATIONS - 1);
         };
         const float between = std::acos(1 - 2 * static_cast<float>(i % LAMP_AZIMUTHS) / (LAMP_AZIMUTHS - 1));
         glm::vec3 blades(0), fromAbove(0), vertical(0), horizontal(0);
-        for (const float turn : kTurns) {
+        for (size_t k = 0; k < std::size(kTurns); ++k) {
+            const float turn = kTurns[k];
             const glm::vec3 e = directionOf(turn, share(LAMP_AZIMUTHS)),
                             lamp = directionOf(turn + between, share(LAMP_AZIMUTHS * LAMP_ELEVATIONS));
             leaves.suns = images.suns = {{lamp, glm::vec3(1)}};
             const std::vector<glm::vec4> weights{imageWeights(lamp, images.weighting)};
             blades += asBlades(clumped, e, leaves).value();
-            fromAbove += aimAlong(farAim(clumped, leaves), clumped, e);
+            const std::array<size_t, 3> at{i % LAMP_AZIMUTHS, i / (LAMP_AZIMUTHS * LAMP_ELEVATIONS), k};
+            if (!aims.contains(at)) aims.emplace(at, farAim(clumped, leaves));
+            fromAbove += aimAlong(aims.at(at), clumped, e);
             vertical += asSlices(plain, e, images, glm::vec3(0), weights).value();
             horizontal += asFar(plain, images, glm::vec3(0), weights).value();
         }
