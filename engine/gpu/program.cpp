@@ -58,6 +58,7 @@ std::string lineDirective(size_t file, int line) {
 
 struct Loader {
     fs::path folder;
+    size_t firstFile;
     ShaderText out;
     std::set<std::string> done;
 
@@ -69,7 +70,7 @@ struct Loader {
             return failed("shader source not found" + where, "the program needs the shaders/ folder of its own version")
                 .at((folder / path).string());
         }
-        const size_t number = out.files.size();
+        const size_t number = firstFile + out.files.size();
         out.files.push_back(path);
         out.text += lineDirective(number, 1);
         std::string line;
@@ -99,8 +100,9 @@ std::vector<std::string> otherHeaders(const fs::path& folder) {
 
 Programs::Programs(fs::path folder) : folder_(std::move(folder)) { warnOfOthers(folder_); }
 
-Result<ShaderText> loadShaderText(const fs::path& folder, const std::string& path, const std::string& constants) {
-    Loader loader{folder, {}, {}};
+Result<ShaderText> loadShaderText(const fs::path& folder, const std::string& path, const std::string& constants,
+                                  size_t firstFile) {
+    Loader loader{folder, firstFile, {}, {}};
     loader.out.text = "#version 450 core\n" + constants;
     if (Status s = loader.append(path, "", 0); !s) return s.error();
     return std::move(loader.out);
@@ -123,9 +125,11 @@ std::string namedLog(const std::string& log, const std::vector<std::string>& fil
 
 namespace {
 
+// files: of the stages before it, and then of this one; their lines carry their number among all, as a linker that
+// finds an error names lines of any stage.
 Result<GLuint> compileStage(const fs::path& folder, GLenum stage, const char* path, const std::string& constants,
                             std::vector<std::string>& files) {
-    auto text = loadShaderText(folder, path, constants);
+    auto text = loadShaderText(folder, path, constants, files.size());
     if (!text) return text.error();
     files.insert(files.end(), text->files.begin(), text->files.end());
     const GLuint shader = glCreateShader(stage);
@@ -140,10 +144,10 @@ Result<GLuint> compileStage(const fs::path& folder, GLenum stage, const char* pa
     glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), &length, log.data());
     log.resize(static_cast<size_t>(length));
     glDeleteShader(shader);
-    return failed("does not compile:\n" + namedLog(log, text->files)).at(path);
+    return failed("does not compile:\n" + namedLog(log, files)).at(path);
 }
 
-Result<GLuint> link(const char* name, const std::vector<GLuint>& shaders) {
+Result<GLuint> link(const char* name, const std::vector<GLuint>& shaders, const std::vector<std::string>& files) {
     const GLuint program = glCreateProgram();
     for (GLuint s : shaders) glAttachShader(program, s);
     glLinkProgram(program);
@@ -158,7 +162,7 @@ Result<GLuint> link(const char* name, const std::vector<GLuint>& shaders) {
     glGetProgramInfoLog(program, static_cast<GLsizei>(log.size()), &length, log.data());
     log.resize(static_cast<size_t>(length));
     glDeleteProgram(program);
-    return failed("does not link:\n" + log).at(name);
+    return failed("does not link:\n" + namedLog(log, files)).at(name);
 }
 
 fs::file_time_type newestOf(const fs::path& folder, const std::vector<std::string>& files) {
@@ -225,7 +229,7 @@ Result<GLuint> Programs::build(Entry& entry) {
         else
             error = shader.error();
     }
-    Result<GLuint> program = error ? Result<GLuint>(*error) : link(entry.sources.name, shaders);
+    Result<GLuint> program = error ? Result<GLuint>(*error) : link(entry.sources.name, shaders, files);
     for (GLuint s : shaders) glDeleteShader(s);
     if (!files.empty()) entry.files = files;
     entry.newest = newestOf(folder_, entry.files);

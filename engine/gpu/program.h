@@ -26,10 +26,11 @@ struct ShaderText {
     std::string text;                // "#version", feature constants, then the sources with #line
     std::vector<std::string> files;  // by the number that their lines carry
 };
-// path: under the folder. `constants`: lines put after #version, such as "const bool WIND = true;".
+// path: under the folder. `constants`: lines put after #version, such as "const bool WIND = true;". firstFile: the
+// number of the first file, which is that of the files of other stages of the same program.
 // Error: Failed, naming the file that cannot be read and the file and line that includes it.
 Result<ShaderText> loadShaderText(const std::filesystem::path& folder, const std::string& path,
-                                  const std::string& constants);
+                                  const std::string& constants, size_t firstFile = 0);
 // Rewrites "0:300012(3)", "0(300012)" and "ERROR: 0:300012" of a compiler's log to the third file's name and line 12.
 std::string namedLog(const std::string& log, const std::vector<std::string>& files);
 

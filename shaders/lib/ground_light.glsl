@@ -39,10 +39,10 @@ float lampLeft(SoilLeft left, float sine) {
     return mix(mix(left.lamps.x, left.lamps.y, steps.x), left.lamps.z, steps.y);
 }
 
-// Light of one light that casts shadows: 0 the sun, i lamp i - 1.
-vec3 castLight(int i, vec3 at, vec3 n) {
-    if (i == 0) return sunLight(n) * sunVisible(at, vec3(0.0));
-    LampHere l = lampReaching(i - 1, at, vec3(0.0));
+// Light of the sun, and of lamp i, past what stands in its way.
+vec3 sunCast(vec3 at, vec3 n) { return sunLight(n) * sunVisible(at, vec3(0.0)); }
+vec3 lampCast(int i, vec3 at, vec3 n) {
+    LampHere l = lampReaching(i, at, vec3(0.0));
     return l.light * max(dot(n, l.direction), 0.0);
 }
 // What grass leaves to soil of light from everywhere, of light in the mean, and of light from lights that cast its
@@ -58,23 +58,23 @@ SoilShares soilShares(SoilLeft shades, float near, float sky) {
         SoilLeft(mix(shades.sun, 1.0, near), mix(shades.lamps, vec3(1.0), near), shades.sky, shades.scattered);
     return SoilShares(shades.sky * sky, shades, GROUND_SHADOWS && CASTING_LIGHTS ? casting : shades);
 }
-// Of light i: 0 the sun, i lamp i - 1, at a point.
-float directShare(int i, bool casts, vec3 at, SoilShares s) {
-    SoilLeft left = casts ? s.casting : s.mean;
-    return i == 0 ? left.sun : lampLeft(left, lampAt(i - 1, at).direction.y);
+// Light of the sun, and of lamp i, on soil. A lamp has an index of its own, never the sun's less one: an index that is
+// known to lie below its array is an error to some compilers, even where it is never reached.
+vec3 sunOnSoil(vec3 at, vec3 n, SoilLeft left) { return sunCast(at, n) * left.sun; }
+vec3 lampOnSoil(int i, vec3 at, vec3 n, SoilLeft left) {
+    return lampCast(i, at, n) * lampLeft(left, lampAt(i, at).direction.y);
 }
 
 vec3 soilLight(vec3 at, vec3 n, SoilShares s) {
     vec3 sum = ambientLight(n) * (s.ambient * skyPastTrees(at));
-    if (SUN) sum += castLight(0, at, n) * directShare(0, frame.sunCasts > 0.0, at, s);
+    if (SUN) sum += sunOnSoil(at, n, frame.sunCasts > 0.0 ? s.casting : s.mean);
     if (SUN && GRASS_TRACED) sum += frame.sunLight * (frame.sunIsUp * s.mean.scattered * sunVisible(at, vec3(0.0)));
-    for (int i = 0; i < lampCount(); ++i)
-        sum += castLight(i + 1, at, n) * directShare(i + 1, i < castingLamps(), at, s);
+    for (int i = 0; i < lampCount(); ++i) sum += lampOnSoil(i, at, n, i < castingLamps() ? s.casting : s.mean);
     return sum;
 }
-// Share of that which the shadow of light i takes away; less than all, since other lights and the sky still reach
-// there.
-vec3 shadowShare(int i, vec3 at, vec3 n, SoilShares s) {
-    return clamp(castLight(i, at, n) * directShare(i, true, at, s) / max(soilLight(at, n, s), vec3(1e-6)), vec3(0.0),
-                 vec3(1.0));
+// Share of that which the shadow of one light takes away (0: the sun; i: lamp i - 1); less than all, since other lights
+// and the sky still reach there.
+vec3 shadowShare(int light, vec3 at, vec3 n, SoilShares s) {
+    vec3 taken = light == 0 ? sunOnSoil(at, n, s.casting) : lampOnSoil(light - 1, at, n, s.casting);
+    return clamp(taken / max(soilLight(at, n, s), vec3(1e-6)), vec3(0.0), vec3(1.0));
 }

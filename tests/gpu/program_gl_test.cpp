@@ -51,6 +51,21 @@ TEST(Program, ACompilersMessageNamesTheIncludedFileAndItsLine) {
     EXPECT_NE(program.error().text().find("lib/value.glsl:2"), std::string::npos) << program.error().text();
 }
 
+// A linker names lines of any stage, so that no two files of a program have one number.
+TEST(Program, LinesOfEachStageAreNumberedOnAfterTheOneBefore) {
+    Shaders s;
+    const auto vertex = loadShaderText(s.dir.path, "a.vert.glsl", "");
+    ASSERT_TRUE(vertex);
+    const auto fragment = loadShaderText(s.dir.path, "a.frag.glsl", "", vertex->files.size());
+    ASSERT_TRUE(fragment);
+    std::vector<std::string> files = vertex->files;
+    files.insert(files.end(), fragment->files.begin(), fragment->files.end());
+    ASSERT_EQ(files, (std::vector<std::string>{"a.vert.glsl", "lib/value.glsl", "a.frag.glsl", "lib/value.glsl"}));
+    EXPECT_NE(fragment->text.find("#line 200001\n"), std::string::npos) << fragment->text;
+    EXPECT_EQ(namedLog("Fragment info\n0(200003) : error C1068: array index out of bounds\n", files),
+              "Fragment info\na.frag.glsl:3 : error C1068: array index out of bounds\n");
+}
+
 TEST(Program, AMissingIncludeNamesTheFileThatWantsIt) {
     gpu();
     Shaders s;
