@@ -70,6 +70,9 @@ struct CellSelection {
 
     std::pair<float, float> density(int x, int z) const {
         if (!q.density) return {1.0f, 1.0f};
+        return q.ranges ? rangeOf(*q.ranges, x, z, [&] { return readDensity(x, z); }) : readDensity(x, z);
+    }
+    std::pair<float, float> readDensity(int x, int z) const {
         if (q.densityTiling.repeats)
             return densityRange(*q.density, q.densityTiling, x * q.cellSize, z * q.cellSize, (x + 1) * q.cellSize,
                                 (z + 1) * q.cellSize);

@@ -1,13 +1,14 @@
 // Which cells draw blades, and which of each cell's blades: the implicit quadtree, culled by frustum, distance and
 // density. Source: Boulanger, Pattanaik and Bouatouch 2006, sections 3.4 and 4.1; Jahrmann and Wimmer 2013,
-// section 6.1; B-12, B-23. Pure; nothing is stored per cell. All decisions are formulas of numerics/cells.h, by which
-// the GPU may choose the same cells (gpu_cells.h).
+// section 6.1; B-12, B-23. Pure; nothing is stored per cell, but for the density of those in view. All decisions are
+// formulas of numerics/cells.h, by which the GPU may choose the same cells (gpu_cells.h).
 #pragma once
 #include <glm/glm.hpp>
 #include <vector>
 
 #include "core/numerics.h"
 #include "frame/draw_context.h"
+#include "grass/density_ranges.h"
 #include "scene/population.h"
 #include "scene/technique.h"
 #include "scene/unique.h"
@@ -81,6 +82,7 @@ struct CellQuery {
         nullptr;  // each cell's own blades, of which `patch` is then all: CellDraw's first and last are theirs
     float shadow =
         0;  // how far shadows on the ground reach beyond `reach`: cells of which only those are seen count too
+    DensityRanges* ranges = nullptr;  // of `density`, where they are kept
 };
 // What a cell query is of: a species of a field, as it is drawn (scene/technique.h), over ground.
 struct QueryOf {

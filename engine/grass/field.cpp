@@ -165,9 +165,13 @@ std::vector<Field*> fieldsWith(const DrawContext& ctx, Feature f) {
 namespace {
 CellQuery queryOf(const DrawContext& ctx, const Field& field, size_t i, const Patch& patch, float pixels) {
     const GrassField& f = field.grows();
-    return cellQuery({*ctx.shared.ground.terrain, ctx.shared.bounds, f, f.species[i], patch, field.view->tiers.blades,
-                      field.view->settings<GrassDrawing>().fade},
-                     {ctx.eye, ctx.frustum, pixels});
+    CellQuery q = cellQuery({*ctx.shared.ground.terrain, ctx.shared.bounds, f, f.species[i], patch,
+                             field.view->tiers.blades, field.view->settings<GrassDrawing>().fade},
+                            {ctx.eye, ctx.frustum, pixels});
+    if (!q.density) return q;
+    q.ranges = &field.species[i].grown->ranges;
+    keepRangesOf(*q.ranges, *q.density, q.densityTiling, q.cellSize);
+    return q;
 }
 }  // namespace
 

@@ -22,7 +22,8 @@ struct Kind {
     VertexArray mesh;
     uint32_t most = 0;  // flowers that the indices are for
     GLuint density = 0;
-    GLsizei drawn = 0;  // commands
+    DensityRanges ranges;  // of the density map
+    GLsizei drawn = 0;     // commands
 };
 struct FlowersState : EffectState {
     std::map<std::string, Kind> kinds;  // by entity
@@ -78,19 +79,23 @@ struct CellSearch {
     DrawContext& ctx;
     const Flowers& f;
     const FlowerGrid& grid;
+    DensityRanges& ranges;
     std::vector<FlowerCell> cells;
     std::vector<DrawCommand> commands;
 
+    float density(int x, int z) const {
+        if (!f.density.present()) return 1;
+        const double x0 = x * grid.side, z0 = z * grid.side;
+        return rangeOf(
+                   ranges, x, z,
+                   [&] { return densityRange(f.density.map, ranges.tiling, x0, z0, x0 + grid.side, z0 + grid.side); })
+            .second;
+    }
     // Flowers of a cell that may be seen at a distance; their numbers are the least ones.
-    uint32_t count(double x0, double z0, float distance) const {
+    uint32_t count(int x, int z, float distance) const {
         const float kept = 1 - f32::lodRamp(distance, kThinFrom * f.maxDistance,
                                             f32::lodInverse(kThinFrom * f.maxDistance, f.maxDistance));
-        float density = 1;
-        if (f.density.present())
-            density = densityRange(f.density.map, tilingOf(*ctx.shared.ground.terrain, f.densityTiling), x0, z0,
-                                   x0 + grid.side, z0 + grid.side)
-                          .second;
-        const float share = std::min(1.25f * kept, 1.0f) * density;
+        const float share = std::min(1.25f * kept, 1.0f) * density(x, z);
         return std::min(static_cast<uint32_t>(std::ceil(share * grid.expected)), grid.most);
     }
     void visit(int x, int z) {
@@ -102,7 +107,7 @@ struct CellSearch {
             to(glm::dvec3(x0 + grid.side + reach, high + reach, z0 + grid.side + reach) - ctx.eye);
         const float distance = glm::length(glm::max(glm::max(from, -to), glm::vec3(0)));
         if (distance >= f.maxDistance || !ctx.frustum.touches(from, to)) return;
-        const uint32_t n = count(x0, z0, distance);
+        const uint32_t n = count(x, z, distance);
         if (n == 0) return;
         commands.push_back({n * kIndices, 1, 0, 0, static_cast<uint32_t>(cells.size())});
         cells.push_back({{x, z}, glm::vec2(glm::dvec2(x0 - ctx.eye.x, z0 - ctx.eye.z))});
@@ -128,7 +133,9 @@ void updateKind(DrawContext& ctx, const std::string& entity, const Flowers& f, K
     k.density = f.density.present() ? ctx.maps.get("flower/density", entity + ".Flowers.density", f.density.map, false,
                                                    tilingOf(*ctx.shared.ground.terrain, f.densityTiling).repeats)
                                     : 0;
-    CellSearch search{ctx, f, grid, {}, {}};
+    if (f.density.present())
+        keepRangesOf(k.ranges, f.density.map, tilingOf(*ctx.shared.ground.terrain, f.densityTiling), grid.side);
+    CellSearch search{ctx, f, grid, k.ranges, {}, {}};
     search.run();
     k.drawn = static_cast<GLsizei>(search.commands.size());
     const FlowerGlobals g = globalsOf(*ctx.shared.ground.terrain, f, grid, k);

@@ -30,6 +30,7 @@ struct GrownSpecies {
     std::string textureOf = "?";
     Look look;  // of the patch, for appearances
     uint64_t lookKey = 0;
+    mutable DensityRanges ranges;  // of its density map; whoever asks for cells adds to them
     GLuint density = 0;  // the texture of its density map; 0: it grows everywhere, and so do its field's other species
     BladeShade shade;    // by grass/mask
     // Slices, kept by grass/slices.cpp while a tier wants them.
