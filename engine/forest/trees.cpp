@@ -14,7 +14,8 @@ namespace sward {
 namespace {
 
 constexpr const char* kOwner = "forest/trees";
-constexpr double kShadowsFrom = 200;  // metres from the eye to which trees that are not seen cast shadows into view
+constexpr double kShadowsFrom =
+    300;  // metres to which trees cast shadows, beyond the maps' farthest reach (objects/shadow)
 
 // A species' mesh at each level.
 using TreeLevels = std::array<GpuMesh, kTreeLevels>;
@@ -27,7 +28,7 @@ struct TreesState : EffectState {
     Texture white;
     explicit TreesState(Gpu& gpu) : white(makeColorTexture(gpu, kOwner, {1, 1, {255, 255, 255, 255}})) {}
 };
-// Instances of one mesh: first the seen.
+// Instances of one mesh that are seen.
 struct Group {
     const ForestHere* here;
     const GpuMesh* mesh;
@@ -73,31 +74,41 @@ size_t levelAt(double distance, double height, double detail) {
 // Factor of its mesh's reach in any direction.
 float widest(const StandingTree& t) { return t.size * std::max(t.upright, 1.0f); }
 
-// Trees of one mesh in this frame.
-struct Chosen {
-    std::vector<const StandingTree*> seen, unseen;
-};
+using Chosen = std::vector<const StandingTree*>;  // of one mesh, in this frame
 
-void addGroup(DrawContext& ctx, TreesView& view, const ForestHere& here, size_t species, const GpuMesh& m,
-              const Chosen& chosen) {
-    const bool casts = here.rule.castShadows;
-    const auto add = [&](const StandingTree& t) {
-        const glm::dvec3 at = t.at - ctx.camera.eye;
-        if (casts)
-            addCaster(ctx, m, view.rows.size(), 1, glm::vec3(at) + m.centre * glm::vec3(1, t.upright, 1) * t.size,
-                      (m.radius + glm::length(glm::vec2(m.centre.x, m.centre.z))) * widest(t));
-        view.rows.push_back(instanceAt(at, view.sway.at(here.rule, {at.x, at.z}) * turnOf(t)));
-        const size_t number = static_cast<size_t>(&t - here.stand->trees.data());
-        view.places.emplace_back(t.stored, here.light ? here.around[number] : 0);
-    };
-    view.groups.push_back({&here, &m, species, view.rows.size(), chosen.seen.size()});
-    for (const StandingTree* t : chosen.seen) add(*t);
-    for (const StandingTree* t : chosen.unseen) add(*t);
+void addRow(const DrawContext& ctx, TreesView& view, const ForestHere& here, const StandingTree& t) {
+    const glm::dvec3 at = t.at - ctx.camera.eye;
+    view.rows.push_back(instanceAt(at, view.sway.at(here.rule, {at.x, at.z}) * turnOf(t)));
+    const size_t number = static_cast<size_t>(&t - here.stand->trees.data());
+    view.places.emplace_back(t.stored, here.light ? here.around[number] : 0);
+}
+
+void addGroup(const DrawContext& ctx, TreesView& view, const ForestHere& here, size_t species, const GpuMesh& m,
+              const Chosen& seen) {
+    view.groups.push_back({&here, &m, species, view.rows.size(), seen.size()});
+    for (const StandingTree* t : seen) addRow(ctx, view, here, *t);
+}
+
+// What shadow maps are kept by: where the tree stands, at which level, and how it leans.
+void hashCaster(Hasher& h, const TreesView& view, const StandingTree& t, const GpuMesh& m) {
+    h.add(&t.at, sizeof t.at);
+    h.add(&m.parts[0].count, sizeof(uint32_t));
+    for (const glm::vec4& r : view.rows.back().row)
+        for (int k = 0; k < 3; ++k) {
+            const int64_t steps = std::llround(static_cast<double>(r[k]) * 10000);
+            h.add(&steps, sizeof steps);
+        }
 }
 
 bool drawsMeshes(const ForestHere& h) { return meshesTo(h.rule) > 0 || !h.rule.placed.empty(); }
 
-void choose(DrawContext& ctx, TreesView& view, const ForestHere& here, const Uploaded& u) {
+size_t levelOf(const ForestHere& here, const StandingTree& t, double distance) {
+    const double height = static_cast<double>(here.rule.species[t.species].height * widest(t));
+    return levelAt(distance, height, static_cast<double>(here.rule.meshDetail));
+}
+
+// What this view sees.
+void chooseSeen(DrawContext& ctx, TreesView& view, const ForestHere& here, const Uploaded& u) {
     std::vector<std::array<Chosen, kTreeLevels>> chosen(u.species.size());
     for (const StandingTree& t : here.stand->trees) {
         const GpuMesh& whole = u.species[t.species][0];
@@ -106,33 +117,29 @@ void choose(DrawContext& ctx, TreesView& view, const ForestHere& here, const Upl
         const double distance = glm::length(at);
         if (!isMesh(here.rule, t, distance)) continue;
         const float radius = (whole.radius + glm::length(whole.centre)) * widest(t);
-        const double height = static_cast<double>(here.rule.species[t.species].height * widest(t));
-        Chosen& group = chosen[t.species][levelAt(distance, height, static_cast<double>(here.rule.meshDetail))];
         if (ctx.frustum.touches(glm::vec3(at) - radius, glm::vec3(at) + radius))
-            group.seen.push_back(&t);
-        else if (here.rule.castShadows && distance < kShadowsFrom)
-            group.unseen.push_back(&t);
+            chosen[t.species][levelOf(here, t, distance)].push_back(&t);
     }
     for (size_t s = 0; s < chosen.size(); ++s)
         for (size_t l = 0; l < kTreeLevels; ++l)
-            if (!chosen[s][l].seen.empty() || !chosen[s][l].unseen.empty())
-                addGroup(ctx, view, here, s, u.species[s][l], chosen[s][l]);
+            if (!chosen[s][l].empty()) addGroup(ctx, view, here, s, u.species[s][l], chosen[s][l]);
 }
 
-// Which trees cast, at which level and how they lean: what shadow maps are kept by.
-uint64_t hashOf(const TreesView& view, const glm::dvec3& eye) {
+// What casts shadows, seen or not: the same for all views and wherever they look, so that shadow maps are kept.
+uint64_t chooseCasters(DrawContext& ctx, TreesView& view, const ForestHere& here, const Uploaded& u) {
+    if (!here.rule.castShadows) return 0;
     Hasher h;
-    const auto add = [&](double value, double steps) {
-        const int64_t whole = std::llround(value * steps);
-        h.add(&whole, sizeof whole);
-    };
-    for (const Group& g : view.groups) h.add(&g.mesh->parts[0].count, sizeof(uint32_t));
-    for (const ObjectInstance& r : view.rows)
-        for (int i = 0; i < 3; ++i) {
-            // Where it stands, to a millimetre, whatever the eye.
-            add(static_cast<double>(r.row[i].w) + eye[i], 1000);
-            for (int k = 0; k < 3; ++k) add(static_cast<double>(r.row[i][k]), 10000);
-        }
+    for (const StandingTree& t : here.stand->trees) {
+        const double distance = glm::distance(t.at, ctx.around);
+        if (distance >= kShadowsFrom || u.species[t.species][0].parts.empty() || !isMesh(here.rule, t, distance))
+            continue;
+        const GpuMesh& m = u.species[t.species][levelOf(here, t, distance)];
+        addCaster(ctx, m, view.rows.size(), 1,
+                  glm::vec3(t.at - ctx.camera.eye) + m.centre * glm::vec3(1, t.upright, 1) * t.size,
+                  (m.radius + glm::length(glm::vec2(m.centre.x, m.centre.z))) * widest(t));
+        addRow(ctx, view, here, t);
+        hashCaster(h, view, t, m);
+    }
     return h.value();
 }
 
@@ -148,15 +155,13 @@ void place(DrawContext& ctx) {
     });
     view.sway.follow(has(ctx.plan.features, Feature::Wind) ? windOf(ctx.project) : nullptr, {ctx.eye.x, ctx.eye.z},
                      ctx.settings.time);
-    bool casts = false;
     for (const auto& here : ctx.shared.forests->all) {
         if (!drawsMeshes(*here)) continue;
         Uploaded& u = s.forests[here->entity];
         upload(ctx, u, *here);
-        choose(ctx, view, *here, u);
-        casts = casts || here->rule.castShadows;
+        chooseSeen(ctx, view, *here, u);
+        ctx.shared.castersHash += chooseCasters(ctx, view, *here, u);
     }
-    if (casts) ctx.shared.castersHash += hashOf(view, ctx.camera.eye);
     writeBuffer(ctx.gpu, view.instances, kOwner, view.rows.size() * sizeof(ObjectInstance), view.rows.data());
     writeBuffer(ctx.gpu, view.placesBuffer, kOwner, view.places.size() * sizeof(glm::vec3), view.places.data());
     for (const Group& g : view.groups) {

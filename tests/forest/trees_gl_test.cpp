@@ -179,6 +179,27 @@ TEST(ForestTrees, AreAsBrightInLampsLightAsInTheTruth) {
         }
 }
 
+// Which trees cast shadows is the same for the view and its mirror, wherever it looks.
+TEST(ForestTrees, ShadowMapsAreKeptWhileTheViewTurnsAndByWhatWaterMirrors) {
+    NoGlErrors errors;
+    Renderer renderer(gpu(), tables());
+    Project p = wood(50);
+    p.registry.get<Forest>(findEntity(p, "trees"))->castShadows = true;
+    put<Water>(p, "lake", {.level = 0.5f, .reflection = 1});
+    const auto draws = [&](const glm::dvec3& eye, double turn) {
+        EXPECT_TRUE(renderer.draw(p, {eye, eye + glm::dvec3(std::sin(turn), -0.1, std::cos(turn)), 60}, measured()));
+        EXPECT_TRUE(passNamed(renderer, "mirrored forest/trees")) << "there is a mirror";
+        const PassStats *own = passNamed(renderer, "objects/shadow"),
+                        *mirrored = passNamed(renderer, "mirrored objects/shadow");
+        return own->draws + (mirrored ? mirrored->draws : 0);
+    };
+    const glm::dvec3 eye(60, 2.3, 60);
+    EXPECT_GT(draws(eye, 0), 10u);
+    EXPECT_EQ(draws(eye, 0), 0u);
+    EXPECT_EQ(draws(eye, 2), 0u) << "turned";
+    EXPECT_GT(draws(eye + glm::dvec3(40, 0, 0), 2), 10u) << "others are near";
+}
+
 TEST(ForestTrees, TakeFewerTrianglesFarAway) {
     NoGlErrors errors;
     Renderer renderer(gpu(), tables());
