@@ -180,6 +180,7 @@ std::optional<CostSetting> fewBlades(const Sweep& s) {
 // metres; and the limit, from a third.
 Status calibrate(Sweep& s, const std::string& camera) {
     Prepared p = asItIs(s, camera);
+    p.view.counted = true;
     double ms[3] = {0, 0, 0};
     uint64_t blades = 0;
     const std::optional<CostSetting> settings[] = {std::nullopt, plainest(s, p), fewBlades(s)};

@@ -76,7 +76,7 @@ Result<Drawing> drawingOf(FitSearch& s, const CostSetting& setting, const CostVi
         return fitStopped();
     Drawing d{snapshot(s.project, s.tables.components), from.camera, {}};
     d.view.width = s.request.cost.width, d.view.height = s.request.cost.height,
-    d.view.time = s.request.cost.time + from.since;
+    d.view.time = s.request.cost.time + from.since, d.view.counted = true;
     if (Status st = applySetting(d.project, s.tables, setting, d.view); !st) return st.error();
     return d;
 }

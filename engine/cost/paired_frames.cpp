@@ -68,9 +68,11 @@ Status drawNext(PairedFrames& f, const std::array<FrameSide, 2>& sides, const Vi
                 const ViewSettings& settings) {
     const NextFrame next = nextOf(f);
     const FrameSide& side = sides[next.side];
+    ViewSettings view = settings;
+    view.counted = true;
     side.renderer.finish();
     const auto start = std::chrono::steady_clock::now();
-    if (Status s = side.renderer.draw(side.project, camera, settings); !s) return s;
+    if (Status s = side.renderer.draw(side.project, camera, view); !s) return s;
     side.renderer.finish();
     const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     ++f.drawn;

@@ -60,6 +60,8 @@ struct ViewSettings {
     bool background =
         false;  // what must be made first is made beside, with a draft shown until it is there; else it is waited for
     bool measure = false;  // per-pass ms and counts (slower: a finish after each pass on a software renderer)
+    bool counted = false;  // counts of cells and blades are this frame's where the GPU chooses them, too, as they are
+                           // if it is measured; else they may be those of up to 16 frames before, and 0 at first
 };
 
 struct PassStats {

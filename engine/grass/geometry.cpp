@@ -212,7 +212,7 @@ void chooseThere(DrawContext& ctx) {
         bindField(field);
         runChoice(s.chosen, field.grown->species[i]->density);
         if (ctx.use(kCommand, {}, features)) commandCells(ctx, s);
-        if (ctx.settings.measure) recount(ctx, s.chosen);
+        recount(ctx, s.chosen);
     });
     glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }

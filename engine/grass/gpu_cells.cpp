@@ -39,8 +39,10 @@ void chooseHere(DrawContext& ctx, ChosenCells& c, const CellWish& w, const char*
     c.upToOf = 0;
 }
 
-// Now and then, and where the frame is measured; never while those of a frame before are still to be read.
-bool countsNow(const ChosenCells& c, bool measured) { return !c.counted && (measured || c.frame % kCountEvery == 0); }
+// Now and then, and where counts are to be this frame's; never while those of a frame before are still to be read.
+bool countsNow(const ChosenCells& c, const ViewSettings& s) {
+    return !c.counted && (countsThisFrame(s) || c.frame % kCountEvery == 0);
+}
 
 // Cells of a node that the field has.
 uint32_t inField(const CellNode& n, const glm::ivec2& cells) {
@@ -54,7 +56,7 @@ void readCounts(ChosenCells& c) {
 
 void nodesForGpu(DrawContext& ctx, ChosenCells& c, const CellWish& w, const char* owner) {
     static_assert(sizeof(CellNode) == sizeof(NodeOfCells));
-    if (c.counted && (ctx.settings.measure || glClientWaitSync(c.counted.get(), 0, 0) != GL_TIMEOUT_EXPIRED))
+    if (c.counted && (countsThisFrame(ctx.settings) || glClientWaitSync(c.counted.get(), 0, 0) != GL_TIMEOUT_EXPIRED))
         readCounts(c);
     if (!c.counts.id()) c.counts = makeBuffer(ctx.gpu, owner, sizeof(ChosenCounts), nullptr);
     const std::vector<CellNode> nodes = selectNodes(w.query);
@@ -113,7 +115,7 @@ void chooseCells(DrawContext& ctx, ChosenCells& c, const CellWish& w, const char
     else
         chooseHere(ctx, c, w, owner);
     CullGlobals globals = cullGlobals(w);
-    c.counting = countsNow(c, ctx.settings.measure);
+    c.counting = countsNow(c, ctx.settings);
     ++c.frame;
     globals.counts = c.counting;
     writeBuffer(ctx.gpu, c.globals, owner, sizeof(globals), &globals);
@@ -134,8 +136,10 @@ void runChoice(ChosenCells& c, GLuint density) {
     if (c.counting) c.counted.reset(glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0));
 }
 
+bool countsThisFrame(const ViewSettings& s) { return s.measure || s.counted; }
+
 void recount(DrawContext& ctx, ChosenCells& c) {
-    if (!c.byGpu || c.count == 0) return;
+    if (!countsThisFrame(ctx.settings) || !c.byGpu || c.count == 0) return;
     const ChosenCounts before = c.last;
     readCounts(c);
     ctx.stats.cells = ctx.stats.cells + c.last.cells - before.cells;

@@ -44,7 +44,9 @@ void chooseCells(DrawContext& ctx, ChosenCells& c, const CellWish& wish, const c
 // What the GPU does, if it chooses, by the current program of grass/cells.comp.glsl. `density`: the map's texture, or
 // 0. Leaves SSBO_CHOSEN and UBO_CULL bound.
 void runChoice(ChosenCells& c, GLuint density);
-// Where the frame is measured, and so waited for, its own counts instead of those of a frame before.
+// Whether a frame's counts are to be its own, and are waited for.
+bool countsThisFrame(const ViewSettings& settings);
+// If so, its own counts instead of those of a frame before.
 void recount(DrawContext& ctx, ChosenCells& c);
 
 }  // namespace sward

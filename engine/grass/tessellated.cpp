@@ -182,7 +182,7 @@ void listSpecies(DrawContext& ctx, const Field& field, size_t i, Selection& s) {
     glUniform4ui(0, s.chosen.count, s.batchVertices, s.batches, s.drawPoints);
     glUniform1ui(1, s.pointDraws);
     glDispatchCompute(1, 1, 1);
-    if (ctx.settings.measure) recount(ctx, s.chosen);
+    recount(ctx, s.chosen);
 }
 
 void listCells(DrawContext& ctx) {

@@ -25,17 +25,20 @@ class EditorFixture : public testing::Test {
   protected:
     void SetUp() override {
         ASSERT_TRUE(doc.create(dir / "meadow"));
-        // Of 800 x 600 points; what panels and hands do does not depend on how fine the picture is, nor on its blades.
-        app = std::make_unique<EditorApp>(doc, *gpu, ui::makeHeadlessSurface(800, 600, 0.5f), false);
-        app->picture.resolution.most = 1.0 / 64;
-        ui = makeUiDriver(*app);
-        ok(ui->wait(3));
+        openEditor();
     }
     void TearDown() override {
         EXPECT_EQ(gpu->errors, 0) << gpu->lastError;
         EXPECT_EQ(app->messages.notice, "");
     }
 
+    // Of 800 x 600 points; what panels and hands do does not depend on how fine the picture is, nor on its blades.
+    void openEditor() {
+        app = std::make_unique<EditorApp>(doc, *gpu, ui::makeHeadlessSurface(800, 600, 0.5f), false);
+        app->picture.resolution.most = 1.0 / 64;
+        ui = makeUiDriver(*app);
+        ok(ui->wait(3));
+    }
     void ok(const Status& status) { EXPECT_TRUE(status) << status.error().text(); }
     // Draws frames until it is so, for a minute at most: what runs beside is as slow as the machine is busy.
     template <class Done>

@@ -73,7 +73,7 @@ TEST_F(ViewParts, OneSampleTakesTheMemoryOfOneAndShowsTheSameDepthsAndBrush) {
 
 TEST_F(ViewParts, AShareOfTheBladesIsDrawnAndCoversAboutAsMuch) {
     ViewSettings s;
-    s.width = 120, s.height = 80;
+    s.width = 120, s.height = 80, s.counted = true;
     const auto meanOf = [](const std::vector<uint8_t>& pixels) {
         double sum = 0;
         for (const uint8_t p : pixels) sum += p;

@@ -21,7 +21,7 @@ const PassStats& passOf(const Renderer& r, const std::string& name) {
 // Pixels of the tiers view that show blades (red), by half of the picture.
 std::array<int, 2> redPixels(Renderer& r, Project& p, const ViewCamera& c) {
     ViewSettings s = small();
-    s.mode = ViewMode::Tiers;
+    s.mode = ViewMode::Tiers, s.counted = true;
     EXPECT_TRUE(r.draw(p, c, s));
     const auto image = r.readImage();
     std::array<int, 2> n{0, 0};

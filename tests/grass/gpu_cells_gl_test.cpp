@@ -77,6 +77,26 @@ TEST(GpuCells, PicturesAndCountsAreTheCpus) {
         }
 }
 
+TEST(GpuCells, CountsAreThisFramesWhereThatIsAskedFor) {
+    NoGlErrors errors;
+    for (const Technique technique : {Technique::Tessellated, Technique::Geometry}) {
+        Renderer r(gpu(), tables());
+        Project p = meadow(technique, false);
+        grassIn(p).culling = Culling::Gpu;
+        ViewSettings s = small();
+        const auto blades = [&](bool asked, bool bare) {
+            grassIn(p).species[0].bladesPerM2 = bare ? 0 : 100;
+            s.counted = asked;
+            EXPECT_TRUE(r.draw(p, eyeHeight(), s));
+            return r.stats().bladesGeometry;
+        };
+        const uint64_t all = blades(true, false);
+        EXPECT_GT(all, 100u) << nameOf(technique) << ", in the first frame";
+        EXPECT_EQ(blades(true, true), 0u);
+        EXPECT_EQ(blades(true, false), all);
+    }
+}
+
 TEST(GpuCells, ASpeciesWithoutADensityMapGrowsEverywhereWhateverAnothersMap) {
     NoGlErrors errors;
     for (const Technique technique : {Technique::Tessellated, Technique::Hybrid})
