@@ -29,7 +29,7 @@ ViewSettings settingsOf(int msaa) {
 
 FrameTimes timesOf(const Project& project, int msaa) {
     Renderer r(*gpu(), tables());
-    const int frames = gpu()->software ? 3 : 40;
+    const int frames = gpu()->software ? 1 : 40;
     const ViewCamera camera = viewOf(*findCamera(project, "human"));
     ViewSettings s = settingsOf(msaa);
     for (int i = 0; i < 3; ++i)  // makes what it draws with
