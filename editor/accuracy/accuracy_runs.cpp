@@ -109,6 +109,8 @@ Status adoptIn(Document& document, const std::string& entity, const CostSetting&
     if (Status s = document.setField(held, technique); !s) return s;
     for (const std::string& text : setting.values) {
         const auto v = settingValue(text);
+        if (v && v->name == "msaa" && temporalOf(document.project()))
+            if (Status s = chooseAntialias(document, Antialiasing::Msaa); !s) return s;
         if (!v || isViewSetting(text) || !v->isFor(entity)) continue;
         if (v->name == kAntialiasSetting) {
             const bool temporal = text == kTemporalSetting;
@@ -228,6 +230,7 @@ bool isPresent(const Document& document, const CostSetting& setting) {
         if (!own || fieldText(*own) != technique) return false;
         for (const std::string& value : setting.values) {
             if (isViewSetting(value) && value != "msaa=4" && value != "detail=1") return false;
+            if (value.starts_with("msaa=") && temporalOf(project)) return false;
             const auto v = settingValue(value);
             if (!v || isViewSetting(value) || !v->isFor(entity)) continue;
             if (v->name == kAntialiasSetting) {

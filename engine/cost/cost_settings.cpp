@@ -95,6 +95,7 @@ Status applyTo(Project& project, const Tables& tables, const std::string& entity
         if (*ofAll) continue;
         const auto ofView = setView(view, v->name, v->value);
         if (!ofView) return ofView.error();
+        if (v->name == "msaa" && temporalOf(project)) setAntialias(project, Antialiasing::Msaa);
         if (*ofView || !v->isFor(entity)) continue;
         if (Status s = setField(project, tables, settingPath(tables, entity, technique, v->name), v->value); !s)
             return s;

@@ -20,6 +20,7 @@ const float kUnmoved = 1.0 / 64.0;  // pixels
 const float kOff = 0.05;            // share by which distances of one thing may differ from frame to frame
 const float kInFront = 1.25;        // times as near: not the same thing
 const float kGuess = 2.0;    // frames for which the mean of the pixels around stands where there is nothing to keep
+const float kCarried = 6.0;  // pixels along which a mean is carried: neighbours in depth go other ways, and blur it
 const float kSpread = 1.25;  // standard deviations of the colours around by which what is kept may differ from them
 
 // The 3 x 3 pixels around one.
@@ -112,6 +113,7 @@ vec4 kept(ivec2 pixel, Around a) {
     if (!w.known || any(lessThan(from, vec2(0.0))) || any(greaterThan(from, frame.pixels)) || wasHidden(from, w.far))
         return vec4(a.mean, kGuess);
     vec4 was = here ? texelFetch(history, pixel, 0) : vec4(historyAt(from), texelFetch(history, ivec2(from), 0).a);
+    was.a = min(was.a, kCarried / max(length(w.moved), kUnmoved));
     vec3 low = max(a.low, a.mean - kSpread * a.spread), high = min(a.high, a.mean + kSpread * a.spread);
     return vec4(clamp(was.rgb, low, high), was.a);
 }

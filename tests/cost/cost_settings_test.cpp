@@ -173,6 +173,10 @@ TEST(CostSettings, FramesThatAddUpAreTriedByEveryTechnique) {
     EXPECT_NE(temporalOf(p), nullptr);
     ASSERT_TRUE(applySetting(p, tables(), {"geometry", {"antialias=msaa"}}, view));
     EXPECT_EQ(temporalOf(p), nullptr);
+    ASSERT_TRUE(applySetting(p, tables(), {"geometry", {kTemporalSetting}}, view));
+    ASSERT_TRUE(applySetting(p, tables(), {"geometry", {"msaa=4"}}, view));
+    EXPECT_EQ(temporalOf(p), nullptr) << "so many in one frame";
+    EXPECT_EQ(view.msaa, 4);
     const Status wrong = applySetting(p, tables(), {"geometry", {"antialias=fxaa"}}, view);
     ASSERT_FALSE(wrong);
     EXPECT_EQ(wrong.error().code, ExitCode::Usage);

@@ -29,7 +29,21 @@ float farthest(const Pixels& a, const Pixels& b) {
     for (size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
     return most;
 }
-// The same against a traced picture, without the scatter of that one's own rays.
+// How much pixels differ within blocks of 4 x 4: the root mean square of green.
+double contrast(const Pixels& a) {
+    double sum = 0;
+    for (size_t y = 0; y < kDown; y += 4)
+        for (size_t x = 0; x < kAcross; x += 4) {
+            double mean = 0, square = 0;
+            for (size_t i = 0; i < 16; ++i) {
+                const double v = static_cast<double>(a[((y + i / 4) * kAcross + x + i % 4) * 3 + 1]);
+                mean += v / 16, square += v * v / 16;
+            }
+            sum += square - mean * mean;
+        }
+    return std::sqrt(sum);
+}
+// The distance from a traced picture, without the scatter of that one's own rays.
 double distance(const Pixels& a, const Truth& truth) {
     const double own = distance(truth.error, Pixels(truth.error.size(), 0)), all = distance(a, truth.color);
     return std::sqrt(std::max(all * all - own * own, 0.0));
@@ -236,6 +250,28 @@ TEST(Antialias, WalkingInWindBeatsTheSamplesOfOneFrame) {
     std::printf("walking in wind: error %.4f; of one frame of 1 sample %.4f, of 4 %.4f\n", walked, one, four);
     EXPECT_LT(walked, four);
     EXPECT_LT(four, one) << "the check can fail";
+}
+
+// Blades a pixel wide, near by: what is looked up between pixels frame after frame blurs. A mean of 16 frames, wherever
+// they went, has 0.945 of the truth's contrast.
+TEST(Antialias, NearBladesStaySharpForWhoWalksLowOverThem) {
+    NoGlErrors errors;
+    const ViewCamera low{{10, 0.25, 6}, {10, 0.1, 16}, 55, 0};
+    const Film walk{low, {0, 0, kStep}};
+    Project p = lawnBy(Technique::Hybrid);
+    FlatField f = flatField(p, "grass");
+    f.minGeom = 1.5f, f.maxGeom = 3.5f;
+    f.species[0].height = 0.05f, f.species[0].width = 0.006f, f.species[0].bladesPerM2 = 8000;
+    const Pixels truth = meanOf(p, low, 4, 4, walk.time);
+    Renderer plain(gpu(), tables());
+    const double one = distance(drawn(plain, p, low, settingsAt(walk, 0, 1)), truth);
+    setAntialias(p, Antialiasing::Temporal);
+    Renderer r(gpu(), tables());
+    const Pixels seen = lastOf(walk, r, p);
+    const double sharp = contrast(seen) / contrast(truth), error = distance(seen, truth);
+    std::printf("low over grass: %.3f of the truth's contrast, error %.4f, of one sample %.4f\n", sharp, error, one);
+    EXPECT_NEAR(sharp, 1, 0.04);
+    EXPECT_LT(error, 0.6 * one);
 }
 
 // --- where it is not

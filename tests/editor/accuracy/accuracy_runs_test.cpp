@@ -5,6 +5,7 @@
 
 #include "cost/cost_files.h"
 #include "editor/model/document.h"
+#include "scene/antialias.h"
 #include "support.h"
 #include "techniques.h"
 #include "tools/camera_control.h"
@@ -35,6 +36,19 @@ TEST(AccuracyRuns, AdoptingIsOneUndoStepAndNamesWhatIsTheViews) {
     EXPECT_EQ(value("maxGeom"), before);
     EXPECT_EQ(value("technique"), "hybrid");
     EXPECT_FALSE(doc.canUndo());
+}
+
+TEST(AccuracyRuns, SamplesInOneFrameAreAdoptedOverFramesThatAddUp) {
+    test::TempDir dir;
+    Document doc(tables());
+    ASSERT_TRUE(doc.create(dir / "p"));
+    const CostSetting four = settingOf("slices", "msaa=4");
+    ASSERT_TRUE(adoptSettings(doc, settingOf("slices", "antialias=temporal")));
+    EXPECT_NE(temporalOf(doc.project()), nullptr);
+    EXPECT_FALSE(isPresent(doc, four));
+    ASSERT_TRUE(adoptSettings(doc, four));
+    EXPECT_EQ(temporalOf(doc.project()), nullptr);
+    EXPECT_TRUE(isPresent(doc, four));
 }
 
 TEST(AccuracyRuns, AForestsSettingsAreAdoptedByItAndLeaveTheGrassAsItIs) {
