@@ -102,7 +102,7 @@ Result<double> medianMs(FitSearch& s, Drawing& d, double most) {
 Result<Picture> pictureOf(FitSearch& s, const CostSetting& setting, const CostView& view) {
     auto d = drawingOf(s, setting, view);
     if (!d) return d.error();
-    if (auto ms = frameMs(s, *d); !ms) return ms.error();
+    if (Status st = drawSettled(s.renderer, d->project, d->camera, d->view); !st) return st.error();
     return pictureOfLinear(d->view.width, d->view.height, s.renderer.readLinear());
 }
 Result<Appearance> errorOf(const Picture& picture, const CostTruth& truth) {

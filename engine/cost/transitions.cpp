@@ -140,7 +140,7 @@ Status drawNextOf(TransitionWalk& w, Renderer& renderer) {
     if (isDrawn(w)) return {};
     ViewSettings s;
     s.width = w.plan.width, s.height = w.plan.height, s.time = w.plan.time;
-    if (Status drawn = renderer.draw(w.project, w.views[w.drawn.size()], s); !drawn) return drawn;
+    if (Status drawn = drawSettled(renderer, w.project, w.views[w.drawn.size()], s); !drawn) return drawn;
     w.drawn.push_back(pictureOfLinear(s.width, s.height, renderer.readLinear()));
     return {};
 }
