@@ -14,8 +14,7 @@ namespace sward {
 namespace {
 
 constexpr const char* kOwner = "forest/trees";
-constexpr double kShadowsFrom =
-    300;  // metres to which trees cast shadows, beyond the maps' farthest reach (objects/shadow)
+constexpr double kShadowsFrom = 300;  // metres to which trees cast shadows: beyond the reach of all maps
 
 // A species' mesh at each level.
 using TreeLevels = std::array<GpuMesh, kTreeLevels>;
@@ -129,6 +128,7 @@ void chooseSeen(DrawContext& ctx, TreesView& view, const ForestHere& here, const
 uint64_t chooseCasters(DrawContext& ctx, TreesView& view, const ForestHere& here, const Uploaded& u) {
     if (!here.rule.castShadows) return 0;
     Hasher h;
+    h.add(&u.grown, sizeof u.grown);
     for (const StandingTree& t : here.stand->trees) {
         const double distance = glm::distance(t.at, ctx.around);
         if (distance >= kShadowsFrom || u.species[t.species][0].parts.empty() || !isMesh(here.rule, t, distance))

@@ -20,7 +20,7 @@ const float kUnmoved = 1.0 / 64.0;  // pixels
 const float kOff = 0.05;            // share by which distances of one thing may differ from frame to frame
 const float kInFront = 1.25;        // times as near: not the same thing
 const float kGuess = 2.0;    // frames for which the mean of the pixels around stands where there is nothing to keep
-const float kCarried = 6.0;  // pixels along which a mean is carried: neighbours in depth go other ways, and blur it
+const float kCarried = 6.0;  // pixels along which a mean is carried: each look-up between pixels blurs it
 const float kSpread = 1.25;  // standard deviations of the colours around by which what is kept may differ from them
 
 // The 3 x 3 pixels around one.
