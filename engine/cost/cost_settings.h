@@ -11,8 +11,8 @@ namespace sward {
 
 // One value by name: of a field of the technique's settings or of GrassField ("maxGeom=6"), of Forest ("meshesTo=40"),
 // of the view ("msaa=1": so many samples in one frame; "detail=0.5"), or of the scene's Antialias
-// ("antialias=temporal"). It is for every entity that
-// takes the setting, or for the one that is named before a dot ("lawn.maxGeom=6").
+// ("antialias=temporal"). It is for every entity that takes the setting, or for the one that is named before a dot
+// ("lawn.maxGeom=6").
 struct SettingValue {
     std::string entity;  // empty: every one
     std::string name, value;

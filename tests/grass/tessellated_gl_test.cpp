@@ -266,8 +266,8 @@ TEST(Tessellated, OnlyTrianglesThatMeetASampleAreSubmitted) {
     NoGlErrors errors;
     auto p = loadProject(std::filesystem::path(SWARD_SOURCE_DIR) / "tests/scenes/plain", tables().components);
     ASSERT_TRUE(p) << p.error().text();
-    p->registry.get<TessellatedBlades>(findEntity(*p, "grass"))->tessellation = Tessellation::Strips;  // as auto has it
-                                                                                                       // in software
+    // What auto takes on a software renderer.
+    p->registry.get<TessellatedBlades>(findEntity(*p, "grass"))->tessellation = Tessellation::Strips;
     const ViewCamera eye = viewOf(*findCamera(*p, "eye"));
     const ViewSettings s = sized(640, 480, 1);
     Renderer r(gpu(), tables());
