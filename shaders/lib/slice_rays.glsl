@@ -1,8 +1,8 @@
 // A ray through a shell of vertical slices, front to back, from where it enters (Habel, Wimmer and Jeschke 2007,
 // sections 3 and 4; H-1 to H-8), over level ground or over a mesh. Coordinates of the ray: x and z in cells of the
 // field; height in metres below the shell's top. The place's lean and slope are taken off the ray, so that slices stand
-// upright on level ground. Fragment shaders only. Needs: const int REST; const bool WHOLE: all of the patch's blades
-// grow wherever any do; what lib/slices.glsl needs.
+// upright on level ground. Fragment shaders only. Needs: const bool INSIDE: the eye is in the shell; const int REST;
+// const bool WHOLE: all of the patch's blades grow wherever any do; what lib/slices.glsl needs.
 #include "lib/frame.glsl"
 #include "lib/light.glsl"
 #include "lib/slice_light.glsl"
@@ -15,8 +15,10 @@
 #include "numerics/stand.h"
 
 const int REST_MEAN = 0, REST_OPAQUE = 1, REST_NOTHING = 2;
-const float kCoarse = 4.0;   // level of detail that stands for slices in the mean
-const float kNear = 0.05;    // metres: the near plane
+const float kCoarse = 4.0;  // level of detail that stands for slices in the mean
+const float kNear = 0.05;   // metres: the near plane
+// Slices: how far one stands off its place at most. An eye in the grass sees no rows of them.
+const float kWave = INSIDE ? 0.0 : 0.45;
 const float kTurned = 0.15;  // a slice that is seen edge on is filtered as one turned by so much
 
 layout(location = 0) uniform int steps;
@@ -76,6 +78,57 @@ int sidesOf(Shell shell, int axis, vec2 mirror) {
     float from = axis == 0 ? shell.seen.x * mirror.x : shell.seen.z * mirror.y;
     return (from < 0.0 ? 0 : kBehind) | (mirror.x > 0.0 ? 0 : kMirrorX) | (mirror.y > 0.0 ? 0 : kMirrorZ) |
            (axis == 0 ? 0 : kAcrossZ);
+}
+
+// How far a slice stands off its place there, in slices: smooth noise along it, so that what slices show does not lie
+// along straight lines, which a short lawn would show as a weave. k: the slice, from the eye's cell; along: slices.
+float waveOf(int family, int k, float along) {
+    ivec2 first = ivec2(slices.eyeCell) * slices.slices;
+    int across = k + (family == kRayU ? first.x : first.y), whole = int(floor(along));
+    int at = whole + (family == kRayU ? first.y : first.x);
+    uint slice = hash2(uint(family), uint(across));
+    float here = hashUnit(hashMix(slice ^ uint(at))), next = hashUnit(hashMix(slice ^ uint(at + 1)));
+    return kWave * (2.0 * mix(here, next, smoothstep(0.0, 1.0, along - float(whole))) - 1.0);
+}
+
+// The ray from as many slices before its entry as may stand out into it.
+SliceRay fromBefore(SliceRay r) {
+    vec2 n = vec2(r.nu, r.nv), back = kWave / n * vec2(r.stepU, r.stepV);
+    r.nextU = firstSlice(r.entry.x - back.x, r.direction.x, r.nu);
+    r.nextV = firstSlice(r.entry.y - back.y, r.direction.y, r.nv);
+    return r;
+}
+
+// The hit where the slice stands off its place. A ray along a slice is moved by no more than one that meets it askew.
+SliceHit onWave(SliceHit hit, SliceRay ray) {
+    bool isU = hit.family == kRayU;
+    float n = float(slices.slices), along = (isU ? hit.position.y : hit.position.x) * n;
+    float most = 2.0 / max(length(ray.direction.xy), kTiny), inverse = isU ? ray.inverse.x : ray.inverse.y;
+    float place = (float(hit.k) / n - (isU ? ray.entry.x : ray.entry.y)) * inverse;
+    hit.t = (abs(inverse) < most ? place : hit.t) + waveOf(hit.family, hit.k, along) / n * clamp(inverse, -most, most);
+    hit.position = ray.entry + ray.direction * hit.t;
+    return hit;
+}
+
+// The slice of a family that a ray comes to next, where it stands off its place.
+SliceHit nextOf(int family, SliceRay ray) {
+    bool isU = family == kRayU;
+    SliceHit hit;
+    hit.family = family;
+    hit.k = isU ? ray.nextU : ray.nextV;
+    float place = float(hit.k) / float(isU ? ray.nu : ray.nv);
+    hit.t = (place - (isU ? ray.entry.x : ray.entry.y)) * (isU ? ray.inverse.x : ray.inverse.y);
+    hit.position = ray.entry + ray.direction * min(hit.t, 1e3);
+    return onWave(hit, ray);
+}
+
+// What a ray meets next. Of two slices the nearer one where they stand, not that whose place is nearer: else what lies
+// deeper, which is denser and darker, would hide what stands before it.
+SliceHit waveHit(SliceRay ray) {
+    SliceHit plain = sliceHit(ray);
+    if (plain.family != kRayU && plain.family != kRayV) return plain;
+    SliceHit u = nextOf(kRayU, ray), v = nextOf(kRayV, ray);
+    return u.t <= v.t ? u : v;
 }
 
 Met metAt(SliceHit hit, Shell shell) {
@@ -236,14 +289,14 @@ void step(inout Walk walk, Shell shell, vec2 levels, float pixel) {
     vec4 stored = vec4(0.0);
     Sent s;
     s.met = metAt(walk.hit, shell);
-    if (on) alpha = opacityOf(s.met, shell, level, pixel, stored) * turned;
+    if (on && s.met.t >= 0.0) alpha = opacityOf(s.met, shell, level, pixel, stored) * turned;
     s.above = stored.zw, s.fine = max(level - 1.0, 0.0);
-    meet(walk, s, alpha, walk.hit.t);
-    if (alpha > 0.004) walk.last = walk.hit.t;
+    meet(walk, s, alpha, s.met.t);
+    if (alpha > 0.004) walk.last = s.met.t;
     if (!on) return;
     walk.ray = sliceAfter(walk.ray, walk.hit);
-    walk.hit = sliceHit(walk.ray);
-    --walk.left;
+    walk.hit = waveHit(walk.ray);
+    if (s.met.t >= 0.0) --walk.left;
 }
 
 Sum traced(Shell shell, SliceRay ray, uint grain) {
@@ -252,7 +305,7 @@ Sum traced(Shell shell, SliceRay ray, uint grain) {
     vec2 levels = vec2(levelAt(pixel, abs(shell.seen.x)), levelAt(pixel, abs(shell.seen.z)));
     levels = floor(levels + hashUnit(grain));  // one of two: twice the look-ups would blend them
     Walk walk;
-    walk.ray = ray, walk.hit = sliceHit(ray);
+    walk.ray = fromBefore(ray), walk.hit = waveHit(walk.ray);
     walk.left = stepsAt(pixel);
     walk.through = 1.0, walk.depth = -1.0, walk.last = 0.0;
     walk.most.share = 0.0, walk.next.share = 0.0;

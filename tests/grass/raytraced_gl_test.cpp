@@ -175,6 +175,39 @@ TEST(Raytraced, NoViewMakesAPixelThatIsNoNumber) {
     EXPECT_NEAR(middle / (beside / 4), 1, 0.15);
 }
 
+// How much rows of pixels differ from their neighbours in the mean, root mean square by the picture's brightness.
+double rowsShow(const std::vector<float>& pixels, int width, int height) {
+    std::vector<double> rows(size_t(height), 0.0);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) rows[size_t(y)] += pixels[(size_t(y) * size_t(width) + size_t(x)) * 3 + 1];
+    double sum = 0, bright = 0;
+    for (size_t y = 1; y + 1 < rows.size(); ++y) {
+        const double off = rows[y] - 0.5 * (rows[y - 1] + rows[y + 1]);
+        sum += off * off, bright += rows[y];
+    }
+    const double count = double(height - 2);
+    return std::sqrt(sum / count) / (bright / count);
+}
+
+// Blades as short as slices lie apart, seen along an axis: images on straight slices show as rows (0.094 here).
+TEST(Raytraced, AShortLawnShowsNoRowsOfSlices) {
+    NoGlErrors errors;
+    const ViewCamera along{{10, 1, 8.5}, {10, 0, 10}, 30, 0};
+    const ViewSettings view = raytracedView(320, 240, 8);
+    const auto pictureBy = [&](Technique technique) {
+        Project p = meadow(technique);
+        FlatField f = flatField(p);
+        f.species[0].bladesPerM2 = 40000;
+        f.species[0].height = 0.03f, f.species[0].width = 0.003f;
+        f.cellSize = 0.5f, f.slices = 20;
+        return raytracedPicture(p, along, view);
+    };
+    const double blades = rowsShow(pictureBy(Technique::Geometry), view.width, view.height),
+                 rays = rowsShow(pictureBy(Technique::Raytraced), view.width, view.height);
+    std::printf("rows by their neighbours: blades %.4f rays %.4f\n", blades, rays);
+    EXPECT_LT(rays, 1.25 * blades);
+}
+
 TEST(Raytraced, AnEyeInTheGrassSeesGrass) {
     NoGlErrors errors;
     const Project p = meadow(Technique::Raytraced);
