@@ -15,10 +15,9 @@
 #include "numerics/stand.h"
 
 const int REST_MEAN = 0, REST_OPAQUE = 1, REST_NOTHING = 2;
-const float kCoarse = 4.0;  // level of detail that stands for slices in the mean
-const float kNear = 0.05;   // metres: the near plane
-// Slices: how far one stands off its place at most. An eye in the grass sees no rows of them.
-const float kWave = INSIDE ? 0.0 : 0.45;
+const float kCoarse = 4.0;   // level of detail that stands for slices in the mean
+const float kNear = 0.05;    // metres: the near plane
+const float kWave = 0.45;    // slices: how far one stands off its place at most
 const float kTurned = 0.15;  // a slice that is seen edge on is filtered as one turned by so much
 
 layout(location = 0) uniform int steps;
@@ -80,6 +79,13 @@ int sidesOf(Shell shell, int axis, vec2 mirror) {
            (axis == 0 ? 0 : kAcrossZ);
 }
 
+// How far slices stand off their places at most, in slices. Only grass that is hardly taller than slices lie apart
+// shows rows of them, and an eye within it sees none; blades that are tall are seen one by one, which waves would bend.
+float waveMost() {
+    if (INSIDE) return 0.0;
+    return kWave * smoothstep(0.3, 0.6, slices.cellSize / (float(slices.slices) * slices.top));
+}
+
 // How far a slice stands off its place there, in slices: smooth noise along it, so that what slices show does not lie
 // along straight lines, which a short lawn would show as a weave. k: the slice, from the eye's cell; along: slices.
 float waveOf(int family, int k, float along) {
@@ -88,12 +94,12 @@ float waveOf(int family, int k, float along) {
     int at = whole + (family == kRayU ? first.y : first.x);
     uint slice = hash2(uint(family), uint(across));
     float here = hashUnit(hashMix(slice ^ uint(at))), next = hashUnit(hashMix(slice ^ uint(at + 1)));
-    return kWave * (2.0 * mix(here, next, smoothstep(0.0, 1.0, along - float(whole))) - 1.0);
+    return waveMost() * (2.0 * mix(here, next, smoothstep(0.0, 1.0, along - float(whole))) - 1.0);
 }
 
 // The ray from as many slices before its entry as may stand out into it.
 SliceRay fromBefore(SliceRay r) {
-    vec2 n = vec2(r.nu, r.nv), back = kWave / n * vec2(r.stepU, r.stepV);
+    vec2 n = vec2(r.nu, r.nv), back = waveMost() / n * vec2(r.stepU, r.stepV);
     r.nextU = firstSlice(r.entry.x - back.x, r.direction.x, r.nu);
     r.nextV = firstSlice(r.entry.y - back.y, r.direction.y, r.nv);
     return r;
