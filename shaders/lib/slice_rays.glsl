@@ -105,27 +105,20 @@ SliceRay fromBefore(SliceRay r) {
     return r;
 }
 
-// The hit where the slice stands off its place. A ray along a slice is moved by no more than one that meets it askew.
-SliceHit onWave(SliceHit hit, SliceRay ray) {
-    bool isU = hit.family == kRayU;
-    float n = float(slices.slices), along = (isU ? hit.position.y : hit.position.x) * n;
-    float most = 2.0 / max(length(ray.direction.xy), kTiny), inverse = isU ? ray.inverse.x : ray.inverse.y;
-    float place = (float(hit.k) / n - (isU ? ray.entry.x : ray.entry.y)) * inverse;
-    hit.t = (abs(inverse) < most ? place : hit.t) + waveOf(hit.family, hit.k, along) / n * clamp(inverse, -most, most);
-    hit.position = ray.entry + ray.direction * hit.t;
-    return hit;
-}
-
-// The slice of a family that a ray comes to next, where it stands off its place.
+// The slice of a family that a ray comes to next, where it stands off its place. A ray along slices is moved by no more
+// than one that meets them askew.
 SliceHit nextOf(int family, SliceRay ray) {
     bool isU = family == kRayU;
+    float n = float(slices.slices), inverse = isU ? ray.inverse.x : ray.inverse.y;
+    float most = 2.0 / max(length(ray.direction.xy), kTiny);
     SliceHit hit;
     hit.family = family;
     hit.k = isU ? ray.nextU : ray.nextV;
-    float place = float(hit.k) / float(isU ? ray.nu : ray.nv);
-    hit.t = (place - (isU ? ray.entry.x : ray.entry.y)) * (isU ? ray.inverse.x : ray.inverse.y);
-    hit.position = ray.entry + ray.direction * min(hit.t, 1e3);
-    return onWave(hit, ray);
+    hit.t = (float(hit.k) / n - (isU ? ray.entry.x : ray.entry.y)) * inverse;
+    vec3 place = ray.entry + ray.direction * clamp(hit.t, -1e3, 1e3);
+    hit.t += waveOf(family, hit.k, (isU ? place.y : place.x) * n) / n * clamp(inverse, -most, most);
+    hit.position = ray.entry + ray.direction * hit.t;
+    return hit;
 }
 
 // What a ray meets next. Of two slices the nearer one where they stand, not that whose place is nearer: else what lies
