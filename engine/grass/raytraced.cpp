@@ -15,6 +15,7 @@ struct Carrier {
     const Field* field;
     std::vector<TerrainNode> nodes;
     bool inside = false;  // the eye is in the shell
+    float reach = 0;      // metres over the ground within which rays begin
 };
 struct RayView : EffectState {
     Buffer nodes;
@@ -33,7 +34,22 @@ Reach reachOf(const TerrainNode& n) {
             glm::length(glm::max(glm::abs(low), glm::abs(high)))};
 }
 
-// Those over which a field's rays begin between two distances, or come to slices there.
+float topOf(const Field& field) {
+    float top = 0;
+    for (const FieldSpecies& s : field.species) top = std::max(top, s.grown->slices.top);
+    return top;
+}
+
+// How far over the ground from the eye rays begin at most, where the shell above the ground is at most `far` away;
+// negative: none does.
+float reachOver(const DrawContext& ctx, float top, float far) {
+    const float eye = static_cast<float>(ctx.eye.y), low = ctx.shared.bounds.low + top,
+                high = ctx.shared.bounds.high + top, above = std::max({eye - high, low - eye, 0.0f});
+    return above < far ? std::sqrt(far * far - above * above) : -1;
+}
+
+// Those over which a field's rays begin between two distances, the greater one over the ground, or come to slices
+// there.
 std::vector<TerrainNode> nodesBetween(const DrawContext& ctx, float near, float far) {
     const float above = std::max(std::abs(static_cast<float>(ctx.eye.y) - ctx.shared.bounds.low),
                                  std::abs(static_cast<float>(ctx.eye.y) - ctx.shared.bounds.high));
@@ -49,19 +65,19 @@ std::vector<TerrainNode> nodesBetween(const DrawContext& ctx, float near, float 
 bool eyeInside(const DrawContext& ctx, const Field& field) {
     const Terrain& t = *ctx.shared.ground.terrain;
     if (!(ctx.eye.x >= 0 && ctx.eye.z >= 0 && ctx.eye.x <= t.size.x && ctx.eye.z <= t.size.y)) return false;
-    float top = 0;
-    for (const FieldSpecies& s : field.species) top = std::max(top, s.grown->slices.top);
     const double above = ctx.eye.y - terrainHeight(t, ctx.eye.x, ctx.eye.z);
-    return above >= 0 && above < static_cast<double>(top);
+    return above >= 0 && above < static_cast<double>(topOf(field));
 }
 
 // Rays go on for a while behind where they come in: nodes that lie a little nearer than the first slices have some.
-constexpr float kAhead = 4;  // metres
+constexpr float kAhead = 4;        // metres
+constexpr float kFarthest = 1e9f;  // metres: its square is a float
 
 Carrier carrierOf(const DrawContext& ctx, const Field& field) {
     const FieldTiers& tiers = field.view->tiers;
-    return {&field, nodesBetween(ctx, tiers.slicesFrom - kAhead, tiers.slicesTo),
-            tiers.slicesFrom <= 0 && eyeInside(ctx, field)};
+    const float reach = reachOver(ctx, topOf(field), std::min(tiers.slicesTo, kFarthest));
+    return {&field, nodesBetween(ctx, tiers.slicesFrom - kAhead, reach), tiers.slicesFrom <= 0 && eyeInside(ctx, field),
+            reach};
 }
 
 void select(DrawContext& ctx) {
@@ -90,7 +106,8 @@ bool endsAtScene(const Field& field) {
 
 enum Program { kOver, kInside };
 
-bool begin(DrawContext& ctx, const Field& field, bool inside) {
+bool begin(DrawContext& ctx, const Carrier& c, bool inside) {
+    const Field& field = *c.field;
     const auto& own = field.view->settings<RaytracedGrass>();
     const std::string constants = fieldConstants(field.view->of) +
                                   rayConstants(inside, isWhole(field), own.rest, own.visibility) +
@@ -101,11 +118,12 @@ bool begin(DrawContext& ctx, const Field& field, bool inside) {
     glUniform1f(2, own.depthAt);
     glUniform1f(3, pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings)));
     glUniform1f(6, own.footprint);
+    if (!inside) glUniform1f(4, c.reach);
     return true;
 }
 
 void drawOver(DrawContext& ctx, const Carrier& c, const Buffer& room) {
-    if (c.nodes.empty() || !begin(ctx, *c.field, false)) return;
+    if (c.nodes.empty() || !begin(ctx, c, false)) return;
     for (size_t i = 0; i < c.field->species.size(); ++i) {
         bindVerticalSlices(ctx, *c.field, i, SliceLevels::One);
         ctx.pass->draws += drawNodes(ctx.shared.groundMesh, c.nodes, room);
@@ -114,7 +132,7 @@ void drawOver(DrawContext& ctx, const Carrier& c, const Buffer& room) {
 }
 
 void drawInside(DrawContext& ctx, const Carrier& c, const VertexArray& screen) {
-    if (!c.inside || !begin(ctx, *c.field, true)) return;
+    if (!c.inside || !begin(ctx, c, true)) return;
     glBindVertexArray(screen.id());
     for (size_t i = 0; i < c.field->species.size(); ++i) {
         bindVerticalSlices(ctx, *c.field, i, SliceLevels::One);

@@ -8,6 +8,8 @@
 
 layout(std140, binding = UBO_SLICES) uniform SliceBlock { SliceGlobals slices; };
 
+layout(location = 4) uniform float reach;  // metres over the ground around the eye within which rays begin
+
 out vec3 position;  // of the carrier, relative to the eye; INSIDE: somewhere along the ray
 out vec2 place;     // relative to the terrain's corner, metres
 
@@ -22,8 +24,10 @@ void main() {
         return;
     }
     NodeCorner c = nodeCorner();
-    place = c.place;
-    position = c.position + vec3(0.0, slices.top, 0.0);
+    // Level ground is a node or few: no more of it than has rays.
+    vec2 near = TERRAIN_HEIGHTS ? c.position.xz : clamp(c.position.xz, -reach, reach);
+    place = c.place + (near - c.position.xz);
+    position = vec3(near.x, c.position.y + slices.top, near.y);
     cutAtWater(position.y);
     gl_Position = frame.viewProj * vec4(position, 1.0);
 }

@@ -143,6 +143,22 @@ TEST(Raytraced, AsMiddleTierOfTheHybridIsAsBrightAsSlices) {
     for (const PassStats& pass : r.stats().passes) EXPECT_NE(pass.name, "grass/slices");
 }
 
+// Level ground is a node or few; rays are for no more of it than the slices reach.
+TEST(Raytraced, OverLevelGroundPixelsBeyondTheMiddleTierCostNoRays) {
+    NoGlErrors errors;
+    Renderer r(gpu(), tables());
+    Project p = meadow(Technique::Hybrid);
+    FlatField f = flatField(p);
+    f.minGeom = 0.5f, f.maxGeom = 1, f.minBTF = 2, f.maxBTF = 3;
+    f.hybrid.middleTier = MiddleTier::Raytraced;
+    ASSERT_TRUE(r.draw(p, grazing(), raytracedView()));
+    const uint64_t rays = raytracedPass(r, "grass/raytraced").fragments, all = raytracedPass(r, "grass/far").fragments;
+    EXPECT_GT(rays, 0u);
+    EXPECT_LT(rays, all / 2);
+    ASSERT_TRUE(r.draw(p, ViewCamera{{10, 4, 1}, {10, 0, 4}, 40, 0}, raytracedView()));
+    EXPECT_EQ(raytracedPass(r, "grass/raytraced").draws, 0u) << "all of the ground is farther away";
+}
+
 // H-1 to H-5: along an axis, straight down, from on a slice, from inside the shell, and any way at all.
 TEST(Raytraced, NoViewMakesAPixelThatIsNoNumber) {
     NoGlErrors errors;
