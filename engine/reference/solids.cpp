@@ -191,12 +191,20 @@ glm::vec3 Solids::groundNormal(double x, double z) const {
     return glm::vec3(glm::normalize(glm::dvec3(at(-1, 0) - at(1, 0), 2 * step, at(0, -1) - at(0, 1))));
 }
 
-glm::vec3 Solids::soilAt(double x, double z) const {
+// Where the colour of soil comes from: beyond the terrain from along its edge, by the ray's chance.
+glm::dvec2 Solids::soilPlace(double x, double z, uint32_t grain) const {
+    const glm::dvec2 size = ground_.terrain->size;
+    const double beyond = land_.reach > 0 ? f64::beyondBy({x, z}, size) : 0;
+    if (!(beyond > 0)) return {x, z};
+    return f64::edgePlace({x, z}, size, f64::landSpread(beyond) * (2 * f64::hashUnit(f64::hashMix(grain)) - 1));
+}
+
+glm::vec3 Solids::soilAt(double x, double z, uint32_t grain) const {
     const Terrain& t = *ground_.terrain;
     const glm::vec3 soil = glm::vec3(soil_.at(x / t.tileSize, z / t.tileSize, true)) * 2.0f * t.groundColor;
     if (!t.terrainMap.present()) return soil;
     const Tiling tiling = tilingOf(t, t.terrainMapTiling);
-    const glm::dvec2 place = glm::dvec2(x, z) / tiling.metres;
+    const glm::dvec2 place = (tiling.repeats ? glm::dvec2(x, z) : soilPlace(x, z, grain)) / tiling.metres;
     const glm::vec4 paint = paintedAt(
         t.terrainMap.map, tiling.repeats ? place : glm::clamp(place, glm::dvec2(1e-9), glm::dvec2(1 - 1e-9)), 1, true);
     return f32::soilColor(soil, t.groundColor, glm::vec3(paint), paint.w);
@@ -210,7 +218,7 @@ Surface Solids::groundAt(const Ray& ray, double t) const {
     s.normal = groundNormal(s.at.x, s.at.z);
     s.face = s.normal;
     if (ray.way.y > 0 && level_) s.normal = s.face = -s.normal;
-    s.color = soilAt(s.at.x, s.at.z);
+    s.color = soilAt(s.at.x, s.at.z, ray.grain);
     s.beyond = land_.reach > 0 && f64::beyondBy({s.at.x, s.at.z}, ground_.terrain->size) > 0;
     s.place = glm::dvec2(s.at.x, s.at.z) / mapExtent(*ground_.terrain);
     return s;

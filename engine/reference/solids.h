@@ -41,7 +41,8 @@ class Solids {
     Status addScattered(const Project& p, double time);
     Surface groundAt(const Ray& ray, double t) const;
     Surface objectAt(const Ray& ray, const TriangleHit& hit) const;
-    glm::vec3 soilAt(double x, double z) const;
+    glm::dvec2 soilPlace(double x, double z, uint32_t grain) const;
+    glm::vec3 soilAt(double x, double z, uint32_t grain) const;
     bool isCutOut(const TriangleHit& hit) const;
     template <class F>
     std::optional<TriangleHit> closestOf(const RayScene& scene, const Ray& ray, F counts) const;

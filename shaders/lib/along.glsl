@@ -9,7 +9,7 @@
 // Reflectance (as a share of full scale) with the field's colour over it.
 vec3 paintedAlong(vec3 reflectance, vec2 uv) {
     if (!GRASS_VEGETATION) return reflectance;
-    vec4 paint = colorAlong(vegetationMap, uv * field.vegetationTiling, 0.0);
+    vec4 paint = colorAlong(vegetationMap, uv * field.vegetationTiling);
     return mix(reflectance, paint.rgb / slices.reflectScale, paint.a);
 }
 

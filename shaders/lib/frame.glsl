@@ -7,6 +7,6 @@ const int VIEW_FINAL = 0, VIEW_TIERS = 1, VIEW_OVERDRAW = 2, VIEW_DENSITY = 3, V
 const float kBrightest = 65504.0;  // the largest half: what the scene's target holds
 // Terrain-relative metres as a share of what a map of tiling 1 covers: what maps are read at, times their tiling.
 vec2 mapPlace(vec2 place) { return place * frame.mapShare; }
-// A map's coordinates there; tiling 0: it lies on the terrain once.
-vec2 tiled(vec2 uv, float tiling) { return tiling > 0.0 ? uv * tiling : uv; }
+// A map's coordinates there; tiling 0: it lies on the terrain once, and its edge goes on beyond.
+vec2 tiled(vec2 uv, float tiling) { return tiling > 0.0 ? uv * tiling : clamp(uv, 0.0, 1.0); }
 int viewMode() { return frame.mode; }

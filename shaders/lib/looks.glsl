@@ -18,12 +18,12 @@ Looks looksAt(vec2 at, vec2 size) {
     vec2 way = (acrossX > acrossY ? x : y) / number;
     return Looks(at - 0.5 * (number - 1.0) * way, way, number, log2(max(most / number, wide)));
 }
-// The mean of a map's colours, each by its opacity, and that of opacity. bias: added to the level of detail.
-vec4 colorAlong(sampler2D map, vec2 at, float bias) {
+// The mean of a map's colours, each by its opacity, and that of opacity.
+vec4 colorAlong(sampler2D map, vec2 at) {
     Looks l = looksAt(at, vec2(textureSize(map, 0)));
     vec4 sum = vec4(0.0);
     for (float i = 0.0; i < l.number; i += 1.0) {
-        vec4 one = textureLod(map, l.at + i * l.way, l.level + bias);
+        vec4 one = textureLod(map, l.at + i * l.way, l.level);
         sum += vec4(one.rgb * one.a, one.a);
     }
     return vec4(sum.rgb / max(sum.a, 1e-4), sum.a / l.number);

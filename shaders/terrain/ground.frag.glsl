@@ -17,17 +17,28 @@ in vec2 place;
 in vec3 normal;
 out vec4 color;
 
-// Beyond the terrain a map that lies on it once has its edge's texels: the farther out, the more of them are one, or
-// they would show as streaks.
-float mapBias(float beyond) {
-    if (!TERRAIN_BEYOND) return 0.0;
-    return log2(1.0 + 0.3 * beyond * frame.mapShare.x * float(textureSize(terrainMap, 0).x));
+// Beyond the terrain a map that lies on it once: the mean along its edge. texels: a metre; pixel: texels of the edge
+// that it is long.
+vec4 mapOfEdge(float beyond, vec2 texels, float pixel) {
+    const float kPlaces = 8.0;
+    float step = 2.0 * landSpread(beyond) / kPlaces, level = log2(max(max(step * max(texels.x, texels.y), pixel), 1.0));
+    vec4 sum = vec4(0.0);
+    for (float i = 0.5; i < kPlaces; i += 1.0) {
+        vec2 at = edgePlace(place, frame.terrainSize, step * i - landSpread(beyond));
+        vec4 one = textureLod(terrainMap, mapPlace(at), level);
+        sum += vec4(one.rgb * one.a, one.a);
+    }
+    return vec4(sum.rgb / max(sum.a, 1e-4), sum.a / kPlaces);
 }
 
 vec3 soil(vec2 uv, float beyond) {
     vec3 image = texture(soilTexture, place * frame.soilRepeats).rgb * 2.0 * frame.soilColor;
     if (!TERRAIN_MAP) return image;
-    vec4 map = colorAlong(terrainMap, tiled(uv, frame.terrainTiling), mapBias(beyond));
+    vec2 texels = frame.mapShare * vec2(textureSize(terrainMap, 0)),
+         edge = edgePlace(place, frame.terrainSize, 0.0) * texels;
+    float pixel = max(length(dFdx(edge)), length(dFdy(edge)));
+    vec4 map = colorAlong(terrainMap, tiled(uv, frame.terrainTiling));
+    if (TERRAIN_BEYOND && beyond > 0.0 && !(frame.terrainTiling > 0.0)) map = mapOfEdge(beyond, texels, pixel);
     return soilColor(image, frame.soilColor, map.rgb, map.a);
 }
 

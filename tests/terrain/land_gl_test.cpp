@@ -23,6 +23,17 @@ Project hills(LandBeyond beyond) {
     put<Fog>(p, "haze", {.visibility = 1500});
     return p;
 }
+// A border of 8 m of one colour around a middle that has soil's own, under transparent white.
+MapField bordered() {
+    Map m({100, 100, 4, PixelType::U8});
+    for (int y = 0; y < 100; ++y)
+        for (int x = 0; x < 100; ++x) {
+            const bool inside = x >= 8 && x < 92 && y >= 8 && y < 92;
+            for (int c = 0; c < 3; ++c) m.set(x, y, c, inside || c == 0 ? 1.0f : 0.2f);
+            m.set(x, y, 3, inside ? 0.0f : 1.0f);
+        }
+    return field(m, "maps/border.png");
+}
 ViewCamera whole() { return {{-40, 40, -50}, {50, 0, 50}, 60, 0}; }
 
 TEST(LandPicture, LeavesNoGapBetweenTheTerrainAndTheHorizon) {
@@ -48,9 +59,11 @@ TEST(LandPicture, LeavesNoGapBetweenTheTerrainAndTheHorizon) {
 TEST(LandPicture, IsAsTheTruthHasIt) {
     NoGlErrors errors;
     Renderer r(gpu(), tables());
-    for (const bool level : {false, true}) {
+    for (const std::string ground : {"hills", "level", "with a border"}) {
         Project p = hills(LandBeyond::Fade);
-        if (level) p.registry.get<Terrain>(findEntity(p, "ground"))->height = {};
+        Terrain& t = *p.registry.get<Terrain>(findEntity(p, "ground"));
+        if (ground != "hills") t.height = {};
+        if (ground == "with a border") t.terrainMap = bordered();
         ViewSettings s = small();
         s.width = 96, s.height = 64;
         ASSERT_TRUE(r.draw(p, whole(), s));
@@ -66,7 +79,7 @@ TEST(LandPicture, IsAsTheTruthHasIt) {
         double off = 0, light = 0;
         for (size_t i = 0; i < drawn.size(); ++i)
             off += std::abs(double(drawn[i]) - double(truth->color[i])), light += double(truth->color[i]);
-        EXPECT_LT(off / light, 0.02) << (level ? "level" : "hills");
+        EXPECT_LT(off / light, 0.02) << ground;
     }
 }
 

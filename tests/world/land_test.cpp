@@ -41,6 +41,24 @@ TEST(Land, LiesBeyondTheRectangleByTheDistanceToIt) {
     EXPECT_EQ(f64::landMean(25, 0.02), 0.5);
 }
 
+TEST(Land, HasTheColourOfTheEdgeNearestToIt) {
+    const auto expect = [](const glm::dvec2& place, double along, const glm::dvec2& edge) {
+        const glm::dvec2 at = f64::edgePlace(place, {100, 60}, along);
+        EXPECT_NEAR(at.x, edge.x, 1e-12);
+        EXPECT_NEAR(at.y, edge.y, 1e-12);
+    };
+    expect({40, 20}, 0, {40, 20});
+    expect({40, 20}, 7, {40, 20});  // on the terrain there is no edge to go along
+    expect({110, 20}, 0, {100, 20});
+    expect({110, 20}, 5, {100, 25});
+    expect({110, 20}, -50, {100, 0});
+    expect({40, -3}, 5, {45, 0});
+    expect({103, 64}, 5, {96, 60});  // around the corner
+    expect({103, 64}, -5, {100, 57});
+    EXPECT_EQ(f64::landSpread(0), 0);
+    EXPECT_GT(f64::landSpread(10), 1);
+}
+
 TEST(Land, ExtendsAsAtItsEdgesAndFadesToTheirMean) {
     const Project extended = land(LandBeyond::Extend), faded = land(LandBeyond::Fade);
     const Land goesOn = landOf(extended), fades = landOf(faded);
