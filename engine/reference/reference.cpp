@@ -252,7 +252,7 @@ glm::vec3 ambientLight(const View& v, const Surface& s) {
     const auto from = [&](float up) { return f32::halvesLight(v.globals.groundLight, v.globals.skyLight, up); };
     glm::vec3 sent = s.color * s.tint * from(s.normal.y);
     // Blades have no light from all around through them, as shaders light them.
-    if (s.ofTree && s.looks.x > 0) sent += f32::leafThrough(s.color) * (s.looks.x * from(-s.normal.y));
+    if (s.ofTree && s.looks.x > 0) sent += f32::leafPasses(s.color, s.looks.x) * from(-s.normal.y);
     return sent * share;
 }
 
@@ -262,7 +262,7 @@ struct Bounce {
     glm::vec3 weight;
 };
 Bounce bounceOff(const Surface& s, const glm::vec3& toEye, Dice& dice) {
-    const float through = s.looks.x > 0 ? s.looks.x * luminance(f32::leafThrough(s.color)) : 0;
+    const float through = s.looks.x > 0 ? luminance(f32::leafPasses(s.color, s.looks.x)) : 0;
     const float share = through > 0 ? through / (through + luminance(s.color)) : 0;
     const bool behind = share > 0 && dice.unit() < share;
     const glm::vec3 side = behind ? -s.normal : s.normal, towards = drawnAround(side, dice);

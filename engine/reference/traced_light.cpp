@@ -92,7 +92,7 @@ glm::vec3 sends(const Surface& s, const glm::vec3& toEye, const glm::vec3& towar
 }
 // The next direction of a path, through the blade or off it by chance; weight: what it counts.
 glm::vec3 bounce(const Surface& s, const glm::vec3& toEye, Dice& dice, glm::vec3& weight) {
-    const float through = s.looks.x * luminance(f32::leafThrough(s.color)),
+    const float through = luminance(f32::leafPasses(s.color, s.looks.x)),
                 share = through / std::max(through + luminance(s.color), 1e-6f);
     const bool behind = dice.unit() < share;
     const glm::vec3 side = behind ? -s.normal : s.normal, towards = drawnAround(side, dice);

@@ -15,6 +15,16 @@ const real kLeafFresnel = real(0.04);
 // Leaves", 1971).
 FN vec3 leafThrough(vec3 color) { return vec3(color.x * real(1.1), color.y * real(1.05), color.z * real(0.55)); }
 
+// No leaf sends back and on more than this of what falls on it: bright paint on blades that shine through would make
+// light, ever more from blade to blade.
+const real kLeafSendsAtMost = real(0.95);
+// What of light shines through a leaf of reflectance c: translucency's share of leafThrough, within that bound.
+FN vec3 leafPasses(vec3 c, real translucency) {
+    vec3 t = leafThrough(c) * translucency;
+    return vec3(min(t.x, max(kLeafSendsAtMost - c.x, real(0.0))), min(t.y, max(kLeafSendsAtMost - c.y, real(0.0))),
+                min(t.z, max(kLeafSendsAtMost - c.z, real(0.0))));
+}
+
 // Fresnel's reflectance by Schlick 1994; cosine: between light and half vector, in [0, 1].
 FN real leafFresnel(real cosine) {
     real m = 1.0f - clamp(cosine, real(0.0), real(1.0));
@@ -49,7 +59,7 @@ FN real waxyMean(real lv) { return real(0.25) * leafFresnel(sqrt(max(real(0.5) +
 FN vec3 leafSends(vec3 c, vec3 looks, vec3 n, vec3 v, vec3 l) {
     real facing = dot(n, l);
     vec3 sent = c * max(facing, real(0.0));
-    if (looks.x > 0.0f) sent += leafThrough(c) * (looks.x * max(-facing, real(0.0)));
+    if (looks.x > 0.0f) sent += leafPasses(c, looks.x) * max(-facing, real(0.0));
     if (looks.y > 0.0f) {
         real wax = looks.y * waxyLobe(n, l, v, looks.z);
         sent += vec3(wax, wax, wax);

@@ -86,5 +86,17 @@ TEST(Leaf, ThroughItLightTurnsYellower) {
     EXPECT_NEAR(t.y, c.y, 0.1 * c.y);
 }
 
+TEST(Leaf, BrightPaintSendsNoMoreThanFallsOnIt) {
+    for (const double bright : {0.1, 0.5, 0.8, 0.95, 1.0}) {
+        const glm::dvec3 c(bright), passes = leafPasses(c, 1.0);
+        for (int k = 0; k < 3; ++k) {
+            EXPECT_LE(c[k] + passes[k], std::max(bright, 0.95)) << bright;
+            EXPECT_GE(passes[k], 0);
+        }
+    }
+    const glm::dvec3 green(0.06, 0.13, 0.04);
+    EXPECT_EQ(leafPasses(green, 0.5), leafThrough(green) * 0.5) << "what grows stays far below";
+}
+
 }  // namespace
 }  // namespace sward
