@@ -140,14 +140,11 @@ void eachSeen(const std::vector<Posed>& points, const glm::vec3& e, float densit
     }
 }
 
-// Which of the traced factors are asked for.
-using Factors = const TracedFactors TracedLight::*;
-
 // The light as it counts in the mean for blades that are seen along e, beside the hot spot.
-FieldLight tracedAlong(const FieldLight& light, const glm::vec3& e, float across, Factors over) {
+FieldLight tracedAlong(const FieldLight& light, const glm::vec3& e, float across) {
     FieldLight l = light;
     if (!l.traced) return l;
-    const TracedFactors& traced = l.traced->*over;
+    const TracedFactors& traced = l.traced->blades;
     l.sky *= tracedRise(traced.sky, e.y), l.ground *= tracedRise(traced.ground, e.y);
     if (l.shade)
         for (auto& [direction, color] : l.suns)
@@ -155,9 +152,8 @@ FieldLight tracedAlong(const FieldLight& light, const glm::vec3& e, float across
     return l;
 }
 
-Mean asBlades(const std::vector<Posed>& points, const glm::vec3& e, const FieldLight& light,
-              Factors over = &TracedLight::blades) {
-    const FieldLight l = tracedAlong(light, e, light.density == 1 ? 1 : areaAcross(points), over);
+Mean asBlades(const std::vector<Posed>& points, const glm::vec3& e, const FieldLight& light) {
+    const FieldLight l = tracedAlong(light, e, light.density == 1 ? 1 : areaAcross(points));
     Mean m;
     eachSeen(points, e, l.density, [&](const Posed& p, float seen) {
         const float w = p.area * std::abs(glm::dot(p.normal, e)) * seen;
@@ -193,6 +189,44 @@ Mean asFar(const std::vector<Posed>& points, const FieldLight& l, const glm::vec
     return m;
 }
 
+// What a texel of the horizontal slice sends, by shaders' form of light (lib/far_light.glsl).
+glm::vec3 texelSends(const FarTexel& t, const glm::vec3& direction, const glm::vec4& w, const FieldLight& l) {
+    float toward, away;
+    if (l.weighting == LightWeighting::Cosine) {
+        const glm::vec3 plus(t.sides.x, t.above, t.sides.z), minus(t.sides.y, t.below, t.sides.w);
+        const float facing = glm::dot(plus - minus, direction),
+                    spread = 2 * glm::dot(glm::min(plus, minus), glm::abs(direction)),
+                    both = std::sqrt(facing * facing + spread * spread);
+        toward = 0.5f * (both + facing), away = 0.5f * (both - facing);
+    } else {
+        const glm::vec4 images(w.x, w.w, w.z, 1 - (w.x + w.y + w.z + w.w));
+        toward = glm::dot(t.sides, images) + t.above * w.y;
+        away = glm::dot(glm::vec4(t.sides.y, t.sides.x, t.sides.w, t.sides.z), images) + t.below * w.y;
+    }
+    return t.color * toward + f32::leafThrough(t.color) * (l.translucency * away);
+}
+// The same of all of it, over cells that are mirrored all ways.
+glm::vec3 imageSends(const std::vector<FarTexel>& image, const FieldLight& l, const glm::vec3& ambient) {
+    glm::vec3 sum(0);
+    float weight = 0;
+    std::vector<std::array<glm::vec4, 4>> weights;
+    const auto mirrored = [](const glm::vec3& d, size_t m) {
+        return d * glm::vec3(m & 1 ? -1.0f : 1.0f, 1, m & 2 ? -1.0f : 1.0f);
+    };
+    for (const auto& [direction, color] : l.suns) {
+        std::array<glm::vec4, 4>& four = weights.emplace_back();
+        for (size_t m = 0; m < 4; ++m) four[m] = imageWeights(mirrored(direction, m), l.weighting);
+    }
+    for (const FarTexel& t : image) {
+        glm::vec3 sent = t.color * ambient * t.open;
+        for (size_t i = 0; i < l.suns.size(); ++i)
+            for (size_t m = 0; m < 4; ++m)
+                sent += 0.25f * l.suns[i].second * texelSends(t, mirrored(l.suns[i].first, m), weights[i][m], l);
+        sum += t.opacity * sent, weight += t.opacity;
+    }
+    return sum / std::max(weight, 1e-9f);
+}
+
 float luminance(const glm::vec3& c) { return glm::dot(c, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
 // Of lamps, as a polynomial of the sine of their elevations.
 glm::vec3 lampHotSpot(const TracedFactors& traced) {
@@ -223,19 +257,17 @@ glm::vec3 quotient(const glm::vec3& a, const glm::vec3& b) {
     return {quotient(a.x, b.x), quotient(a.y, b.y), quotient(a.z, b.z)};
 }
 
-// What the horizontal slice is to send along e. Its images are of a view from above, in which Beer's law errs as it
-// does for blades that are seen from there; as one looks less steeply it errs otherwise, and rays have told by how
-// much.
-struct FarAim {
-    FieldLight light;
-    glm::vec3 fromAbove;  // what the law sends of what rays see, from above
-};
-FarAim farAim(const std::vector<Posed>& points, const FieldLight& l) {
-    const glm::vec3 up(0, 1, 0);
-    return {l, quotient(asBlades(points, up, l).value(), asBlades(points, up, l, &TracedLight::means).value())};
-}
-glm::vec3 aimAlong(const FarAim& aim, const std::vector<Posed>& points, const glm::vec3& e) {
-    return aim.fromAbove * asBlades(points, e, aim.light, &TracedLight::means).value();
+// What the horizontal slice is to send along e: what rays have seen blades send, where they were traced.
+glm::vec3 aimAlong(const FieldLight& light, const std::vector<Posed>& points, const glm::vec3& e) {
+    const glm::vec3 law = asBlades(points, e, light).value();
+    if (!light.traced || !light.shade) return law;
+    const TracedShows& shows = light.traced->shows;
+    glm::vec3 sum = light.sky * shownRise(shows.sky, e.y) + light.ground * shownRise(shows.ground, e.y);
+    for (const auto& [direction, color] : light.suns) sum += color * shownDirect(shows, e, direction);
+    if (light.density == 1) return sum;
+    FieldLight full = light;
+    full.density = 1;
+    return sum * quotient(law, asBlades(points, e, full).value());
 }
 
 // By view, how many times as bright blades are that lie: their faces turn up, and none stands in another's light
@@ -251,12 +283,10 @@ void addLaidGains(const Look& look, const FieldLight& light, Gains& out) {
         open.traced = &indirect;
     }
     if (light.shade) open.shade = &none;
-    const FarAim aim = farAim(standing, light);
     for (int i = 0; i < LOOK_VIEWS; ++i) {
         const auto at = static_cast<size_t>(i);
         const glm::vec3 e = viewOf(i), bright = asBlades(laid, e, open).value();
         out.laid[at] = glm::vec4(quotient(bright, asBlades(standing, e, light).value()), 0);
-        out.farLaid[at] = glm::vec4(quotient(bright, aimAlong(aim, standing, e)), 0);
     }
 }
 
@@ -344,22 +374,24 @@ glm::vec4 imageWeights(const glm::vec3& l, LightWeighting weighting) {
     return {five.xPos, five.yPos, five.zPos, five.xNeg};
 }
 
-Gains gainsOf(const Look& look, const FieldLight& light) {
+Gains gainsOf(const Look& look, const FieldLight& light, const FarImage& image) {
     Gains out;
     if (light.traced && light.shade && !light.suns.empty())
         out.hotSpot = tracedHotSpot(light.traced->blades, light.suns[0].first);
     if (light.traced && light.lampsCast) out.lampHotSpot = lampHotSpot(light.traced->blades);
     out.sliceAmbient = 0.5f * (light.sky + light.ground);
     out.farAmbient = 0.25f * light.ground + 0.75f * light.sky;
-    for (auto* laid : {&out.laid, &out.farLaid}) laid->fill(glm::vec4(1, 1, 1, 0));
+    out.laid.fill(glm::vec4(1, 1, 1, 0));
     if (light.pressed) addLaidGains(look, light, out);
     std::vector<glm::vec4> weights;
     for (const auto& [direction, color] : light.suns) weights.push_back(imageWeights(direction, light.weighting));
     const auto plain = posed(look, glm::vec2(0), 0), clumped = posed(look, glm::vec2(0), look.clumpLean);
-    const auto far = asFar(plain, light, out.farAmbient, weights).value();
+    const auto far = image.levels[0].empty() ? asFar(plain, light, out.farAmbient, weights).value()
+                                             : imageSends(image.levels[0], light, out.farAmbient);
+    for (size_t i = 1; i < FAR_LEVELS && !image.levels[i].empty(); ++i)
+        out.farLevels[i] = quotient(luminance(far), luminance(imageSends(image.levels[i], light, out.farAmbient)));
     FieldLight sparse = light;
     sparse.density = kThinDensity;
-    const FarAim aim = farAim(clumped, light), thinAim = farAim(clumped, sparse);
     std::vector<Posed> leant[4];
     for (int i = 0; i < 4 && light.lean > 0; ++i)
         leant[i] = posed(look,
@@ -374,9 +406,9 @@ Gains gainsOf(const Look& look, const FieldLight& light) {
         const glm::vec3 e = viewOf(i), blades = asBlades(clumped, e, light).value();
         out.slices[static_cast<size_t>(i)] =
             glm::vec4(quotient(blades, asSlices(plain, e, light, out.sliceAmbient, weights).value()), 0);
-        out.far[static_cast<size_t>(i)] = glm::vec4(quotient(aimAlong(aim, clumped, e), far), 0);
+        out.far[static_cast<size_t>(i)] = glm::vec4(quotient(aimAlong(light, clumped, e), far), 0);
         out.thin[static_cast<size_t>(i)] =
-            light.painted ? glm::vec4(quotient(aimAlong(thinAim, clumped, e), far), 0) : glm::vec4(1, 1, 1, 0);
+            light.painted ? glm::vec4(quotient(aimAlong(sparse, clumped, e), far), 0) : glm::vec4(1, 1, 1, 0);
         if (light.lean <= 0) continue;
         const auto change = [&](int plus) {
             const float a = luminance(asBlades(leant[plus], e, light).value()),
@@ -389,36 +421,35 @@ Gains gainsOf(const Look& look, const FieldLight& light) {
     return out;
 }
 
-LampGains lampGainsOf(const Look& look, FieldLight leaves) {
+LampGains lampGainsOf(const Look& look, FieldLight leaves, const FarImage& image) {
     leaves.sky = leaves.ground = glm::vec3(0);
     FieldLight images = leaves;  // of lamps they know what falls on the side that is seen
     images.translucency = 0, images.weighting = LightWeighting::Poly9;
     const auto plain = posed(look, glm::vec2(0), 0), clumped = posed(look, glm::vec2(0), look.clumpLean);
-    constexpr float kTurns[] = {0.196f, 0.982f};  // of all, by the symmetry of mirrored cells
+    constexpr size_t kLampLevel = 3;                 // few texels: there are hundreds of directions
+    constexpr float kAzimuths[] = {0.196f, 0.982f};  // of all, by the symmetry of mirrored cells
     LampGains out;
-    std::map<std::array<size_t, 3>, FarAim> aims;  // by the lamp's azimuth and elevation and the turn: for any eye
     for (size_t i = 0; i < out.size(); ++i) {
         const auto share = [&](size_t n) {
             return static_cast<float>(i / n % LAMP_ELEVATIONS) / (LAMP_ELEVATIONS - 1);
         };
         const float between = std::acos(1 - 2 * static_cast<float>(i % LAMP_AZIMUTHS) / (LAMP_AZIMUTHS - 1));
-        glm::vec3 blades(0), fromAbove(0), vertical(0), horizontal(0);
-        for (size_t k = 0; k < std::size(kTurns); ++k) {
-            const float turn = kTurns[k];
+        glm::vec3 blades(0), aim(0), vertical(0), horizontal(0);
+        for (size_t k = 0; k < std::size(kAzimuths); ++k) {
+            const float turn = kAzimuths[k];
             const glm::vec3 e = directionOf(turn, share(LAMP_AZIMUTHS)),
                             lamp = directionOf(turn + between, share(LAMP_AZIMUTHS * LAMP_ELEVATIONS));
             leaves.suns = images.suns = {{lamp, glm::vec3(1)}};
             const std::vector<glm::vec4> weights{imageWeights(lamp, images.weighting)};
             blades += asBlades(clumped, e, leaves).value();
-            const std::array<size_t, 3> at{i % LAMP_AZIMUTHS, i / (LAMP_AZIMUTHS * LAMP_ELEVATIONS), k};
-            if (!aims.contains(at)) aims.emplace(at, farAim(clumped, leaves));
-            fromAbove += aimAlong(aims.at(at), clumped, e);
+            aim += aimAlong(leaves, clumped, e);
             vertical += asSlices(plain, e, images, glm::vec3(0), weights).value();
-            horizontal += asFar(plain, images, glm::vec3(0), weights).value();
+            horizontal += image.levels[kLampLevel].empty() ? asFar(plain, images, glm::vec3(0), weights).value()
+                                                           : imageSends(image.levels[kLampLevel], images, glm::vec3(0));
         }
         // Blades are all but black before a lamp.
         out[i] = {quotient(luminance(blades), luminance(vertical), 0.02f),
-                  quotient(luminance(fromAbove), luminance(horizontal), 0.02f)};
+                  quotient(luminance(aim), luminance(horizontal), 0.02f)};
     }
     return out;
 }

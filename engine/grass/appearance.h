@@ -73,6 +73,18 @@ struct FieldLight {
 // Mean radiance of what is seen of blades from a direction (unit, towards the eye), upright and drawn one by one.
 glm::vec3 meanOfBlades(const Look& look, const glm::vec3& toEye, const FieldLight& light);
 
+// What the horizontal slice's images hold of blades seen from above, a texel of some level.
+struct FarTexel {
+    glm::vec3 color;      // reflectance
+    float open, opacity;  // share of ambient light that reaches it; of the ground that it hides
+    glm::vec4 sides;      // light from x+, x-, z+, z-
+    float above, below;   // light from above, on the side that is seen and on the other
+};
+struct FarImage {
+    std::array<std::vector<FarTexel>, FAR_LEVELS> levels;
+    uint64_t key = 0;  // hash of all of it
+};
+
 inline constexpr float kThinDensity = 1.0f / THIN_DENSITY;
 // By view: kLookAzimuths (x = cos a, z = sin a towards the eye) times kLookElevations (sine = (i / (n-1))^2).
 struct Gains {
@@ -82,21 +94,22 @@ struct Gains {
         far;  // rgb: factor of the horizontal slice; w: share by which a lean towards +z brightens
     std::array<glm::vec4, LOOK_VIEWS> thin;  // rgb: as `far` where the field's density is kThinDensity: one sees
                                              // further down, where others shade less
-    // rgb: how many times as bright blades are that are pressed down as vertical slices, and as the horizontal one, are
-    // of those that stand; 1 where none may be.
-    std::array<glm::vec4, LOOK_VIEWS> laid, farLaid;
+    // rgb: how many times as bright blades that are pressed down are as those that stand; 1 where none may be.
+    std::array<glm::vec4, LOOK_VIEWS> laid;
+    std::array<float, FAR_LEVELS> farLevels{1, 1, 1, 1, 1, 1, 1};  // as SliceGlobals has them
     glm::vec3 sliceAmbient, farAmbient;    // ambient light that their texels are taken to receive
     glm::vec3 hotSpot{0}, lampHotSpot{0};  // as SliceGlobals has them
 };
 // Factors by which slices and pressed blades are drawn so that they are as bright as blades drawn one by one.
-Gains gainsOf(const Look& look, const FieldLight& light);
+// far: the horizontal slice's images; none: what the look says of one.
+Gains gainsOf(const Look& look, const FieldLight& light, const FarImage& far = {});
 
 // Factors for light from one lamp, by where the eye and the lamp are (LAMP_AZIMUTHS, x fastest; LAMP_ELEVATIONS of the
 // eye, then of the lamp): x, of vertical slices; y, of the horizontal one. A lamp's light comes from elsewhere at each
 // place, and the sun's gains say nothing of it.
 using LampGains = std::array<glm::vec2, static_cast<size_t>(LAMP_AZIMUTHS* LAMP_ELEVATIONS* LAMP_ELEVATIONS)>;
 // leaves: roughness, gloss, translucency; how lamps are shaded. Its lights are not read.
-LampGains lampGainsOf(const Look& look, FieldLight leaves);
+LampGains lampGainsOf(const Look& look, FieldLight leaves, const FarImage& far = {});
 // Five weights (x+, y, z+, x-; z- is what is left to 1) by a form of equations 8-13; Cosine: by the exact one, and
 // so is the published one where it has no value (B-1, B-4).
 glm::vec4 imageWeights(const glm::vec3& towardsLight, LightWeighting weighting);

@@ -45,7 +45,9 @@ void addShading(std::vector<float>& read, const FieldLight& l) {
     const auto add = [&](const auto& numbers) {
         for (const glm::vec3& n : numbers) read.insert(read.end(), {n.x, n.y, n.z});
     };
-    for (const TracedFactors* f : {&l.traced->blades, &l.traced->means}) add(f->direct), add(f->sky), add(f->ground);
+    const auto& [blades, shows] = std::tie(l.traced->blades, l.traced->shows);
+    add(blades.direct), add(blades.sky), add(blades.ground);
+    add(shows.direct), add(shows.sky), add(shows.ground);
 }
 // Gains of lamps' light, where there are lamps.
 void updateLampGains(const DrawContext& ctx, const GrownField& f, GrownSpecies& s, FieldLight l) {
@@ -56,13 +58,13 @@ void updateLampGains(const DrawContext& ctx, const GrownField& f, GrownSpecies& 
     l.shade = l.lampsCast ? &s.shade : nullptr;
     std::vector<float> read{l.translucency, l.gloss, l.roughness};
     addShading(read, l);
-    const uint64_t key = hashBytes(read.data(), read.size() * sizeof(float)) ^ s.lookKey;
+    const uint64_t key = hashBytes(read.data(), read.size() * sizeof(float)) ^ s.lookKey ^ s.slices.farImage.key;
     if (s.lampGains.id() && s.lampGainKey == key) return;
     if (ctx.sketching() && s.lampGains.id()) return;
     s.lampGainKey = ctx.sketching() ? 0 : key;
     LampGains gains;
     gains.fill(glm::vec2(1));  // in a sketch
-    if (!ctx.sketching()) gains = lampGainsOf(s.look, l);
+    if (!ctx.sketching()) gains = lampGainsOf(s.look, l, s.slices.farImage);
     if (!s.lampGains.id())
         s.lampGains = makeTexture3D(ctx.gpu, "grass/far", GL_RG16F, LAMP_AZIMUTHS, LAMP_ELEVATIONS, LAMP_ELEVATIONS);
     glTextureSubImage3D(s.lampGains.id(), 0, 0, 0, 0, LAMP_AZIMUTHS, LAMP_ELEVATIONS, LAMP_ELEVATIONS, GL_RG, GL_FLOAT,
@@ -86,10 +88,10 @@ void updateGains(GrownSpecies& s, const FieldLight& l) {
                             l.lampsCast ? 1.0f : 0.0f};
     addShading(read, l);
     for (const auto& [d, c] : l.suns) read.insert(read.end(), {d.x, d.y, d.z, c.x, c.y, c.z});
-    const uint64_t key = hashBytes(read.data(), read.size() * sizeof(float)) ^ s.lookKey;
+    const uint64_t key = hashBytes(read.data(), read.size() * sizeof(float)) ^ s.lookKey ^ s.slices.farImage.key;
     if (s.gainKey == key) return;
     s.gainKey = key;
-    s.gains = gainsOf(s.look, l);
+    s.gains = gainsOf(s.look, l, s.slices.farImage);
 }
 
 float greatest(const std::array<glm::vec4, LOOK_VIEWS>& factors) {
@@ -107,14 +109,13 @@ uint32_t packedGain(const glm::vec4& factor, float scale) {
 
 void setGains(SliceGlobals& g, bool conserving, Gains gains) {
     if (!conserving)
-        for (auto* factors : {&gains.slices, &gains.far, &gains.thin, &gains.laid, &gains.farLaid})
-            factors->fill({1, 1, 1, 0});
+        for (auto* factors : {&gains.slices, &gains.far, &gains.thin, &gains.laid}) factors->fill({1, 1, 1, 0});
+    if (!conserving) gains.farLevels.fill(1);
+    for (int i = 0; i < FAR_LEVELS; ++i) g.farLevels[i / 4][i % 4] = gains.farLevels[static_cast<size_t>(i)];
     g.hotSpot = conserving ? gains.hotSpot : glm::vec3(0);
     g.lampHotSpot = conserving ? gains.lampHotSpot : glm::vec3(0);
     g.gainScale = {greatest(gains.slices), greatest(gains.far), greatest(gains.laid), greatest(gains.thin)};
-    g.farLaidScale = greatest(gains.farLaid);
     for (size_t i = 0; i < LOOK_VIEWS; ++i) {
-        g.farLaid[i / 4][static_cast<int>(i % 4)] = packedGain(gains.farLaid[i], g.farLaidScale);
         g.thin[i / 4][static_cast<int>(i % 4)] = packedGain(gains.thin[i], g.gainScale.w);
         g.gains[i] = {packedGain(gains.slices[i], g.gainScale.x), packedGain(gains.far[i], g.gainScale.y),
                       packedGain(gains.laid[i], g.gainScale.z), glm::packHalf2x16({gains.slices[i].w, gains.far[i].w})};

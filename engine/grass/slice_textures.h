@@ -2,6 +2,7 @@
 // factored 19.6 MB, compressed 8.6 MB, full 60 MB. Does not: make slices (slice_bake.h).
 #pragma once
 #include "gpu/resources.h"
+#include "grass/appearance.h"
 #include "grass/slice_bake.h"
 #include "grass/slice_settings.h"
 
@@ -16,6 +17,7 @@ struct SliceTextures {
     int slices = 0, layers = 0;                      // along an axis; of the vertical images
     float top = 0, reflectScale = 1;
     float farDepth = 0;  // optical depth of the horizontal slice: what its mean opacity is 1 - exp of
+    FarImage farImage;   // of the horizontal slice, for its gains; 260 KB
     // Bytes of the textures, levels included, as the GPU's ledger counts them.
     size_t bytes() const;
 };

@@ -24,6 +24,23 @@ glm::vec3 sumBeside(const f32::TracedTerms& t, const std::array<glm::vec3, TRACE
     return sum;
 }
 
+// Where a value lies among ascending ones.
+struct Between {
+    size_t low;
+    float share;  // of the next
+};
+template <size_t N>
+Between between(const float (&among)[N], float value) {
+    size_t low = 0;
+    while (low + 2 < N && value > among[low + 1]) ++low;
+    return {low, std::clamp((value - among[low]) / (among[low + 1] - among[low]), 0.0f, 1.0f)};
+}
+float turnBetween(const glm::vec3& a, const glm::vec3& b) {
+    const glm::vec2 level(a.x, a.z), other(b.x, b.z);
+    return std::acos(
+        std::clamp(glm::dot(level, other) / std::max(glm::length(level) * glm::length(other), 1e-6f), -1.0f, 1.0f));
+}
+
 }  // namespace
 
 void TracedState::jobs(std::vector<JobNews>& out) const {
@@ -41,8 +58,8 @@ const TracedLight* tracedOf(const DrawContext& ctx, const std::string& field, si
 
 TracedLight underSky(const TracedLight& traced, const glm::vec3& tilt) {
     TracedLight out = traced;
-    for (TracedFactors* f : {&out.blades, &out.means})
-        for (size_t i = 0; i < TRACED_RISE; ++i) f->sky[i] += tilt * f->skyTilt[i];
+    for (size_t i = 0; i < TRACED_RISE; ++i) out.blades.sky[i] += tilt * out.blades.skyTilt[i];
+    for (size_t i = 0; i < kTracedViews; ++i) out.shows.sky[i] += tilt * out.shows.skyTilt[i];
     const float soil = traced.soilSky + traced.soilTilt * glm::dot(tilt, glm::vec3(0.2126f, 0.7152f, 0.0722f));
     out.soilSky = std::clamp(soil, 0.0f, 1.0f);
     return out;
@@ -61,6 +78,24 @@ glm::vec3 tracedBeside(const TracedFactors& traced, const glm::vec3& toEye, cons
 glm::vec3 tracedHotSpot(const TracedFactors& traced, const glm::vec3& towards) {
     const glm::vec3 beside = glm::max(tracedBeside(traced, towards, towards), glm::vec3(0.1f));
     return glm::clamp(termsFor(traced, towards.y)[7] / beside, 0.0f, 4.0f);
+}
+
+glm::vec3 shownDirect(const TracedShows& shows, const glm::vec3& toEye, const glm::vec3& towards) {
+    const Between view = between(kViewSines, toEye.y), light = between(kLightSines, towards.y),
+                  turn = between(kTurns, turnBetween(toEye, towards));
+    glm::vec3 sum(0);
+    for (size_t i = 0; i < 8; ++i) {
+        const size_t v = i & 1, l = i >> 1 & 1, t = i >> 2;
+        const float weight =
+            (v ? view.share : 1 - view.share) * (l ? light.share : 1 - light.share) * (t ? turn.share : 1 - turn.share);
+        sum += weight * shows.direct[((view.low + v) * kTracedLights + light.low + l) * kTracedTurns + turn.low + t];
+    }
+    return sum;
+}
+
+glm::vec3 shownRise(const std::array<glm::vec3, kTracedViews>& shows, float sinElevation) {
+    const Between view = between(kViewSines, sinElevation);
+    return glm::mix(shows[view.low], shows[view.low + 1], view.share);
 }
 
 glm::vec3 tracedRise(const std::array<glm::vec3, TRACED_RISE>& numbers, float sinElevation) {

@@ -17,6 +17,18 @@
 
 namespace sward {
 
+// Directions that rays were traced for: sines of elevations of the eye, those that gains of slices are for, and of the
+// light; angles between their level parts, closest to what is lit.
+inline constexpr int kTracedViews = 5, kTracedLights = 7, kTracedTurns = 10;
+inline constexpr float kViewSines[kTracedViews]{0.04f, 0.16f, 0.36f, 0.64f, 0.98f};
+inline constexpr float kLightSines[kTracedLights]{0.1f, 0.2f, 0.35f, 0.5f, 0.65f, 0.8f, 0.99f};
+inline constexpr float kTurns[kTracedTurns]{0, 0.1f, 0.3f, 0.6f, 0.95f, 1.3f, 1.7f, 2.2f, 2.7f, 3.1415927f};
+
+// What is seen of full grass on level ground sends on average, of light that would light what faces it by 1.
+struct TracedShows {
+    std::array<glm::vec3, kTracedViews * kTracedLights * kTracedTurns> direct{};  // without the glow about the light
+    std::array<glm::vec3, kTracedViews> sky{}, skyTilt{}, ground{};               // of light from above and from below
+};
 // Numbers of the polynomials of numerics/traced.h, red, green and blue.
 struct TracedFactors {
     std::array<glm::vec3, TRACED_DIRECT> direct{};       // as SpeciesGlobals::traced has them
@@ -24,13 +36,13 @@ struct TracedFactors {
     std::array<glm::vec3, TRACED_RISE> skyTilt{};        // what `sky` gains a unit of the sky's tilt (sky/daylight.h)
 };
 struct TracedLight {
-    TracedFactors blades;        // over what local light says of each point of a blade that is seen
-    TracedFactors means;         // over what grass/appearance.h says of all that is seen
+    TracedFactors blades;  // over what local light says of each point of a blade that is seen
+    TracedShows shows;
     glm::vec3 soilScattered{0};  // polynomial by the sun's elevation
     float soilSky = 1;           // share of the sky's light that comes to the soil
     float soilTilt = 0;          // what that gains a unit of tilt
 };
-// The same under a sky of this tilt: both `sky` and `soilSky` are what they are there.
+// The same under a sky of this tilt: each `sky` and `soilSky` are what they are there.
 TracedLight underSky(const TracedLight& traced, const glm::vec3& tilt);
 // Share of the light on what faces the sun, so high (sine), that comes to the soil from blade to blade.
 float soilScattered(const TracedLight& traced, float sinElevation);
@@ -55,6 +67,9 @@ glm::vec3 tracedDirect(const TracedFactors& traced, const glm::vec3& toEye, cons
 glm::vec3 tracedBeside(const TracedFactors& traced, const glm::vec3& toEye, const glm::vec3& towards);
 // By what share of tracedBeside the glow is brighter in its middle, at least 0.
 glm::vec3 tracedHotSpot(const TracedFactors& traced, const glm::vec3& towards);
+// What `direct` says between the directions that were traced, and what one of the others says of a view so high (sine).
+glm::vec3 shownDirect(const TracedShows& shows, const glm::vec3& toEye, const glm::vec3& towards);
+glm::vec3 shownRise(const std::array<glm::vec3, kTracedViews>& shows, float sinElevation);
 glm::vec3 tracedRise(const std::array<glm::vec3, TRACED_RISE>& numbers, float sinElevation);
 // Writes them for shaders; sun: unit, towards it. Null: factors of 1.
 void setTraced(SpeciesGlobals& g, const TracedLight* traced, const glm::vec3& sun);

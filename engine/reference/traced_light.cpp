@@ -19,15 +19,13 @@
 namespace sward {
 namespace {
 
-constexpr uint32_t kVersion = 6;  // of the method: another one gives other factors
-constexpr int kRays = 640;        // that meet a blade, a view
+constexpr uint32_t kVersion = 7;  // of the method: another one gives other factors
+constexpr int kRays = 2000;       // that meet a blade, a view
 constexpr int kParts = 16;        // of a view's rays, each with its own sums, so that any number of threads adds alike
 constexpr int kMostBounces = 12;
+constexpr int kSkyPaths = 8;  // from each blade that is seen
+constexpr size_t kOften = 5;  // behind the first meeting light comes from one of so many directions, by chance
 constexpr double kSide = 1000, kOff = 2e-5;  // metres: of the lawn; by which a path starts off a blade
-constexpr float kViews[kTracedViews] = {0.04f, 0.2f, 0.5f, 0.8f, 0.98f};
-constexpr float kLights[kTracedLights] = {0.1f, 0.2f, 0.5f, 0.8f, 0.99f};               // some from where an eye is
-constexpr float kTurns[kTracedTurns] = {0, 0.1f, 0.35f, 0.9f, 1.4f, 2.2f, 3.1415927f};  // closest to what is lit
-
 struct Dice {
     uint32_t seed, next = 0;
     float unit() { return f32::hashUnit(f32::hash2(seed, next++)); }
@@ -106,7 +104,7 @@ Lights lightsAbout(float azimuth) {
     Lights out;
     for (int i = 0; i < kTracedLights; ++i)
         for (int k = 0; k < kTracedTurns; ++k)
-            out[static_cast<size_t>(i * kTracedTurns + k)] = raised(azimuth + tracedTurn(k), kLights[i]);
+            out[static_cast<size_t>(i * kTracedTurns + k)] = raised(azimuth + kTurns[k], kLightSines[i]);
     return out;
 }
 
@@ -135,31 +133,51 @@ void addLocal(const Lawn& lawn, const Surface& s, const glm::vec3& toEye, const 
     sums.ground.local += sent * (0.5 - 0.5 * double(s.normal.y));
 }
 
+// The next blade of a path; none: it has ended, or left with `weight` along `way`.
+std::optional<Surface> goOn(Tracer& t, const Surface& s, const glm::vec3& toEye, Dice& dice, glm::vec3& weight,
+                            glm::vec3& way) {
+    way = bounce(s, toEye, dice, weight);
+    const std::optional<Surface> next = t.rays.closest(from(s, way, dice), t.memory);
+    if (!next) return next;
+    const float goesOn = std::clamp(std::max({weight.x, weight.y, weight.z}) * 2, 0.02f, 1.0f);
+    if (dice.unit() >= goesOn) return weight = glm::vec3(0), std::nullopt;
+    weight /= goesOn;
+    return next;
+}
+
 // A path from what was seen on, with light at each blade that it meets.
-void addFull(Tracer& t, Surface s, glm::vec3 toEye, const Lights& lights, Dice& dice, ViewSums& sums) {
-    glm::vec3 weight(1);
+void addLights(Tracer& t, Surface s, glm::vec3 toEye, const Lights& lights, Dice& dice, ViewSums& sums) {
+    glm::vec3 weight(1), way;
     for (int n = 0; n < kMostBounces; ++n) {
-        for (size_t i = 0; i < lights.size(); ++i) {
-            const glm::vec3 sent = weight * sends(s, toEye, lights[i]);
+        const size_t step = n == 0 ? 1 : kOften, first = n == 0 ? 0 : static_cast<size_t>(dice.unit() * kOften);
+        for (size_t i = first; i < lights.size(); i += step) {
+            const glm::vec3 sent = static_cast<float>(step) * weight * sends(s, toEye, lights[i]);
             if (sent == glm::vec3(0) || t.rays.blocks(from(s, lights[i], dice), t.memory)) continue;
             sums.direct[i].full += glm::dvec3(sent);
         }
-        const glm::vec3 way = bounce(s, toEye, dice, weight);
-        const Ray ray = from(s, way, dice);
-        const std::optional<Surface> next = t.rays.closest(ray, t.memory);
-        if (!next) {
-            if (way.y > 0) {
-                sums.sky.full += glm::dvec3(weight);
-                sums.tilt.full += glm::dvec3(weight) * double(skyTilted(way.y));
-            } else
-                sums.ground.full += glm::dvec3(weight * t.lawn.soilOpen);
-            return;
+        const std::optional<Surface> next = goOn(t, s, toEye, dice, weight, way);
+        if (!next) return;
+        s = *next, toEye = -way;
+    }
+}
+// Paths up to the sky or down to the soil, of which each counts for a share.
+void addSky(Tracer& t, const Surface& seen, const glm::vec3& toSeen, Dice& dice, ViewSums& sums) {
+    for (int path = 0; path < kSkyPaths; ++path) {
+        Surface s = seen;
+        glm::vec3 toEye = toSeen, weight(1), way;
+        for (int n = 0; n < kMostBounces; ++n) {
+            const std::optional<Surface> next = goOn(t, s, toEye, dice, weight, way);
+            if (next) {
+                s = *next, toEye = -way;
+                continue;
+            }
+            const glm::dvec3 brings(weight / static_cast<float>(kSkyPaths));
+            if (way.y > 0)
+                sums.sky.full += brings, sums.tilt.full += brings * double(skyTilted(way.y));
+            else
+                sums.ground.full += brings * double(t.lawn.soilOpen);
+            break;
         }
-        const float goesOn = std::clamp(std::max({weight.x, weight.y, weight.z}) * 2, 0.02f, 1.0f);
-        if (dice.unit() >= goesOn) return;
-        weight /= goesOn;
-        s = *next;
-        toEye = -way;
     }
 }
 
@@ -169,7 +187,7 @@ ViewSums traceView(Tracer& t, int view, int part, int rays, const JobControl& co
     for (int n = 0; n < 8 * rays && sums.met < rays && !control.cancelled(); ++n) {
         Dice dice{f32::hash3(static_cast<uint32_t>(view), static_cast<uint32_t>(part), static_cast<uint32_t>(n))};
         const float azimuth = f32::kTau * dice.unit();
-        const glm::vec3 toEye = raised(azimuth, kViews[view]);
+        const glm::vec3 toEye = raised(azimuth, kViewSines[view]);
         const double height = static_cast<double>(t.lawn.height);
         const glm::dvec3 top(0.5 * kSide + 20 * double(dice.unit()), height, 0.5 * kSide + 20 * double(dice.unit()));
         const Ray ray{top, -glm::dvec3(toEye), 0, height / double(toEye.y), dice.grain()};
@@ -178,34 +196,10 @@ ViewSums traceView(Tracer& t, int view, int part, int rays, const JobControl& co
         ++sums.met;
         const Lights lights = lightsAbout(azimuth);
         addLocal(t.lawn, *s, toEye, lights, sums);
-        addFull(t, *s, toEye, lights, dice, sums);
+        addLights(t, *s, toEye, lights, dice, sums);
+        addSky(t, *s, toEye, dice, sums);
     }
     return sums;
-}
-
-// What appearance.h says of a view's rays; of a few azimuths, since cells are mirrored.
-void addMean(const Lawn& lawn, const Species& leaf, int view, ViewSums& sums) {
-    constexpr float kAzimuths[] = {0.196f, 0.982f};
-    FieldLight none;
-    none.sky = none.ground = glm::vec3(0);
-    none.translucency = leaf.translucency, none.gloss = leaf.gloss, none.roughness = leaf.roughness;
-    none.shade = &lawn.shade;
-    const double share = double(sums.met) / double(std::size(kAzimuths));
-    for (const float azimuth : kAzimuths) {
-        const auto add = [&](TracedSums& to, const FieldLight& light) {
-            to.mean += share * glm::dvec3(meanOfBlades(lawn.look, raised(azimuth, kViews[view]), light));
-        };
-        FieldLight above = none, below = none;
-        above.sky = below.ground = glm::vec3(1);
-        add(sums.sky, above), add(sums.ground, below);
-        const Lights lights = lightsAbout(azimuth);
-        for (size_t i = 0; i < lights.size(); ++i) {
-            FieldLight lit = none;
-            lit.suns = {{lights[i], glm::vec3(1)}};
-            add(sums.direct[i], lit);
-        }
-    }
-    sums.tilt.mean = sums.sky.mean;
 }
 
 // Light at the soil: paths up from it.
@@ -224,9 +218,10 @@ SoilSums traceSoil(Tracer& t, int part, int rays, const JobControl& control) {
         const glm::vec3 way = drawnAround({0, 1, 0}, dice);
         const std::optional<Surface> s =
             t.rays.closest({at, glm::dvec3(way), 0, std::numeric_limits<double>::infinity(), dice.grain()}, t.memory);
-        if (s)
-            addFull(t, *s, -way, lightsAbout(f32::kTau * dice.unit()), dice, sums.met);
-        else
+        if (s) {
+            addLights(t, *s, -way, lightsAbout(f32::kTau * dice.unit()), dice, sums.met);
+            addSky(t, *s, -way, dice, sums.met);
+        } else
             ++sums.open, sums.openTilt += double(skyTilted(way.y));
     }
     return sums;
@@ -288,20 +283,17 @@ std::array<double, TRACED_DIRECT> termsOf(float view, float light, float turn) {
     return out;
 }
 
-// Of which of a table's sums a factor is the quotient over.
-using Below = glm::dvec3 TracedSums::*;
-
-std::array<glm::vec3, TRACED_RISE> fitRise(const std::array<TracedSums, kTracedViews>& sums, Below below) {
+std::array<glm::vec3, TRACED_RISE> fitRise(const std::array<TracedSums, kTracedViews>& sums) {
     Fit<TRACED_RISE> fit;
     for (size_t i = 0; i < sums.size(); ++i) {
-        const glm::vec3 rise = f32::tracedRise(kViews[i]);
+        const glm::vec3 rise = f32::tracedRise(kViewSines[i]);
         fit.add({static_cast<double>(rise.x), static_cast<double>(rise.y), static_cast<double>(rise.z)},
-                sums[i].full / glm::max(sums[i].*below, glm::dvec3(1e-9)), 1);
+                sums[i].full / glm::max(sums[i].local, glm::dvec3(1e-9)), 1);
     }
     return fit.solve();
 }
 
-std::array<glm::vec3, TRACED_DIRECT> fitDirect(const TracedTable& table, Below below) {
+std::array<glm::vec3, TRACED_DIRECT> fitDirect(const TracedTable& table) {
     Fit<TRACED_DIRECT> fit;
     for (int light = 0; light < kTracedLights; ++light) {
         const auto sumsOf = [&](int view, int turn) -> const TracedSums& {
@@ -310,25 +302,41 @@ std::array<glm::vec3, TRACED_DIRECT> fitDirect(const TracedTable& table, Below b
         double mean = 0;
         for (int view = 0; view < kTracedViews; ++view)
             for (int turn = 0; turn < kTracedTurns; ++turn)
-                mean += (sumsOf(view, turn).*below).y / (kTracedViews * kTracedTurns);
+                mean += sumsOf(view, turn).local.y / (kTracedViews * kTracedTurns);
         if (!(mean > 0)) continue;
         for (int view = 0; view < kTracedViews; ++view)
             for (int turn = 0; turn < kTracedTurns; ++turn) {
                 const TracedSums& s = sumsOf(view, turn);
-                fit.add(termsOf(kViews[view], kLights[light], tracedTurn(turn)),
-                        s.full / glm::max(s.*below, glm::dvec3(1e-9)), (s.*below).y / mean);
+                fit.add(termsOf(kViewSines[view], kLightSines[light], kTurns[turn]),
+                        s.full / glm::max(s.local, glm::dvec3(1e-9)), s.local.y / mean);
             }
     }
     return fit.solve();
 }
 
-TracedFactors factorsOver(Below below, const TracedTable& table) {
-    return {fitDirect(table, below), fitRise(table.sky, below), fitRise(table.ground, below),
-            fitRise(table.tilt, below)};
+// What paths have seen of a view, on average.
+glm::vec3 meanOf(const TracedTable& table, size_t view, const TracedSums& s) {
+    return glm::vec3(s.full / static_cast<double>(std::max(table.met[view], 1)));
+}
+TracedShows showsOf(const TracedTable& table, const TracedFactors& factors) {
+    TracedShows out;
+    for (size_t view = 0; view < kTracedViews; ++view) {
+        out.sky[view] = meanOf(table, view, table.sky[view]);
+        out.skyTilt[view] = meanOf(table, view, table.tilt[view]);
+        out.ground[view] = meanOf(table, view, table.ground[view]);
+        for (size_t i = 0; i < table.direct[view].size(); ++i) {
+            const glm::vec3 eye = raised(0, kViewSines[view]),
+                            light = raised(kTurns[i % kTracedTurns], kLightSines[i / kTracedTurns]);
+            const glm::vec3 glow = 1.0f + tracedHotSpot(factors, light) * f32::tracedGlow(eye, light);
+            out.direct[view * table.direct[view].size() + i] = meanOf(table, view, table.direct[view][i]) / glow;
+        }
+    }
+    return out;
 }
 
 // --- the file of the cache: the numbers, and a hash of their bytes
-constexpr size_t kNumbers = 3 * (2 * (TRACED_DIRECT + 3 * TRACED_RISE) + 1) + 2;
+constexpr size_t kNumbers =
+    3 * (TRACED_DIRECT + 3 * TRACED_RISE + kTracedViews * (kTracedLights * kTracedTurns + 3) + 1) + 2;
 static_assert(sizeof(TracedLight) == kNumbers * sizeof(float));
 
 std::filesystem::path tracedFile(const std::filesystem::path& folder, uint64_t key) {
@@ -396,10 +404,6 @@ const System kSystems[] = {{"grass/traced", {.reads = {Slot::SkyLight}, .writes 
 
 }  // namespace
 
-float tracedView(int i) { return kViews[i]; }
-float tracedLightSine(int i) { return kLights[i]; }
-float tracedTurn(int i) { return kTurns[i]; }
-
 TracedSpec tracedSpec(const Project& project, const FieldEntity& field, size_t species, const Rgba8& blade) {
     return {sliceSpec(field, species, blade, true), project.dir};
 }
@@ -442,7 +446,7 @@ Result<TracedTable> traceTable(const TracedSpec& spec, int rays, JobControl& con
     for (size_t view = 0; view < kTracedViews; ++view) {
         ViewSums all;
         for (size_t part = 0; part < kParts; ++part) all.add(sums[part * kTracedViews + view]);
-        addMean(*lawn, spec.species.species, static_cast<int>(view), all);
+        table.met[view] = all.met;
         table.direct[view] = all.direct;
         table.sky[view] = all.sky, table.tilt[view] = all.tilt, table.ground[view] = all.ground;
     }
@@ -451,10 +455,11 @@ Result<TracedTable> traceTable(const TracedSpec& spec, int rays, JobControl& con
 
 TracedLight fitTraced(const TracedTable& table) {
     TracedLight light;
-    light.blades = factorsOver(&TracedSums::local, table), light.means = factorsOver(&TracedSums::mean, table);
+    light.blades = {fitDirect(table), fitRise(table.sky), fitRise(table.ground), fitRise(table.tilt)};
+    light.shows = showsOf(table, light.blades);
     Fit<TRACED_RISE> scattered;
     for (size_t i = 0; i < kTracedLights; ++i) {
-        const glm::dvec3 rise(f32::tracedRise(kLights[i]));
+        const glm::dvec3 rise(f32::tracedRise(kLightSines[i]));
         scattered.add({rise.x, rise.y, rise.z}, glm::dvec3(table.soilScattered[i]), 1e3);
     }
     const auto numbers = scattered.solve();

@@ -2,13 +2,11 @@
 // (grass/traced.h), over all views and lights.
 // Rays are sent down onto an endless lawn of the species at full density. What blade they meet is lit twice: as
 // techniques light it (a shadow mask's mean at that height; the share of the sky that the depth below the tips leaves),
-// and by paths, from blade to blade and through them, up to the sky or down to the soil, with light from 35 directions
-// at each meeting. The quotients of the sums are fitted by polynomials. The soil sends nothing of its own light: what
-// comes up from it is counted as light from below, as dim as the soil lies under the grass.
-// The same sums over what appearance.h says of the lawn tell by how much its few blades and Beer's law err, view by
-// view (a tenth, more or less).
-// Does not: know slopes, paint, wind, other species, or objects near by. Cost: about 2 s a species on two cores; kept
-// in the cache folder by content, 1 KB.
+// and by paths, from blade to blade and through them, up to the sky or down to the soil, with light from 70 directions
+// at each meeting. The quotients of the sums are fitted by polynomials; the paths' means are kept as they are. The soil
+// sends nothing of its own light: what comes up from it is counted as light from below, as dim as the soil lies under
+// the grass. Does not: know slopes, paint, wind, other species, or objects near by. Cost: about 2 s a species on two
+// cores; kept in the cache folder by content, 1 KB.
 #pragma once
 #include <filesystem>
 
@@ -32,11 +30,10 @@ uint64_t tracedKey(const TracedSpec& spec);
 // Sums over what was seen, for one direction of the eye (by elevation) and one light.
 struct TracedSums {
     glm::dvec3 local{0}, full{0};
-    glm::dvec3 mean{0};  // what grass/appearance.h says of as many rays
 };
 // What rays have seen, before it is fitted.
-inline constexpr int kTracedViews = 5, kTracedLights = 5, kTracedTurns = 7;
 struct TracedTable {
+    std::array<int, kTracedViews> met{};  // rays that the sums of a view are of
     std::array<std::array<TracedSums, kTracedLights * kTracedTurns>, kTracedViews> direct;  // by turn, then elevation
     std::array<TracedSums, kTracedViews> sky, ground;
     std::array<TracedSums, kTracedViews> tilt;  // full: of the sky's tilt alone; local: as under an even sky
@@ -44,10 +41,6 @@ struct TracedTable {
     double soilSky = 0, soilTilt = 0;  // the latter a unit of the sky's tilt
     std::array<double, kTracedLights> soilScattered{};
 };
-// Sines of the elevations of views and lights; and the cosine between their level parts, as a number of a turn.
-float tracedView(int i);
-float tracedLightSine(int i);
-float tracedTurn(int i);
 
 // rays: that meet a blade, a view. Failed without memory or when cancelled.
 Result<TracedTable> traceTable(const TracedSpec& spec, int rays, JobControl& control);

@@ -34,10 +34,11 @@ glm::vec3 sunOf(const Project& p, double seconds) {
 
 using SkySeen = std::function<glm::vec3(const glm::vec3& towards)>;
 
-// Irradiance of the sky on level ground, and the mean of that on upright surfaces all around, both divided by pi:
-// midpoint rule over 12 elevations and 24 azimuths.
+// Irradiance of the sky on level ground, divided by pi, and what falls on upright leaves all around, of which the more
+// is hidden by others the lower it comes from (by the sine's root, as paths up from a lawn's leaves are spread: their
+// mean sine is 0.5): midpoint rule over 12 elevations and 24 azimuths.
 struct SkyFalls {
-    glm::vec3 onGround{0}, onWalls{0};
+    glm::vec3 onGround{0}, onLeaves{0};
 };
 SkyFalls skyFalls(const SkySeen& seen) {
     constexpr int kRows = 12, kColumns = 24;
@@ -47,16 +48,16 @@ SkyFalls skyFalls(const SkySeen& seen) {
             const float y = (r + 0.5f) / kRows, h = std::sqrt(1 - y * y), a = 2 * kPi * (c + 0.5f) / kColumns;
             const glm::vec3 radiance = seen(glm::vec3(h * std::cos(a), y, h * std::sin(a)));
             sum.onGround += radiance * y;
-            sum.onWalls += radiance * (h / kPi);  // the mean of a cosine that is cut off at 0, over all azimuths
+            sum.onLeaves += radiance * (h * std::sqrt(y));
         }
     const float each = 2.0f / (kRows * kColumns);  // solid angle 2 pi / n, divided by pi
-    return {sum.onGround * each, sum.onWalls * each};
+    return {sum.onGround * each, sum.onLeaves * each};
 }
 glm::vec3 tiltOf(const SkyFalls& sky) {
-    static const float even = skyFalls([](const glm::vec3&) { return glm::vec3(1); }).onWalls.x,
-                       tilted = skyFalls([](const glm::vec3&d) { return glm::vec3(skyTilted(d.y)); }).onWalls.x;
-    const glm::vec3 walls = sky.onWalls / glm::max(sky.onGround, glm::vec3(1e-9f));
-    return glm::clamp((walls - even) / tilted, -1.5f, 3.0f);
+    static const float even = skyFalls([](const glm::vec3&) { return glm::vec3(1); }).onLeaves.x,
+                       tilted = skyFalls([](const glm::vec3&d) { return glm::vec3(skyTilted(d.y)); }).onLeaves.x;
+    const glm::vec3 leaves = sky.onLeaves / glm::max(sky.onGround, glm::vec3(1e-9f));
+    return glm::clamp((leaves - even) / tilted, -1.5f, 3.0f);
 }
 
 // The sky at the horizon as horizonLight has it: a polynomial through the five points of Chebyshev's between the least

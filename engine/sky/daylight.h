@@ -27,7 +27,7 @@ struct SkySums {
 
 // Radiance of a sky of tilt 1 at a sine of elevation, less that of an even one: both light level ground alike. A sky of
 // level L and tilt t is taken to be L (1 + t skyTilted(y)): what stands upright has more light of it than of an even
-// sky. t is chosen so that upright surfaces all around have, in the mean, what they have of the sky; in [-1.5, 3].
+// sky. t is chosen so that upright leaves among others have, in the mean, what they have of the sky; in [-1.5, 3].
 inline float skyTilted(float sine) { return 2.0f / 3.0f - sine; }
 
 // Each reads globals.mode.y, the camera's exposure factor. seconds: scene time.

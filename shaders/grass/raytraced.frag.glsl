@@ -126,7 +126,7 @@ void main() {
     vec3 shown = plain * sliceGain(toEye, p.free, press, false);
     shell.gain = SUN ? shown * sunsHotSpot(toEye, press) * frame.sunLight * frame.sunIsUp : vec3(0.0);
     shell.ambient = shown * slices.ambient * skyShare(uv);
-    shell.brighter = plain * laidGain(lookTap(toEye), press, false);
+    shell.brighter = plain * laidGain(lookTap(toEye), press);
 
     vec2 comesIn = toCells(shell.start.xz);
     uint grain = INSIDE ? grainAt(comesIn + way.xz, way.y, far) : grainAt(comesIn, 0.0, far);

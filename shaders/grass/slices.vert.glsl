@@ -106,7 +106,7 @@ void main() {
 
     float plain = p.lighter * darkened(far) * slices.reflectScale;
     vec3 toEye = -foot / far, shown = plain * sliceGain(toEye, p.free, press, false);
-    brighter = plain * laidGain(lookTap(toEye), press, false);
+    brighter = plain * laidGain(lookTap(toEye), press);
     axes = vec4(side > 0.0 ? 1.0 : -1.0, mirror, float(axis));
     images = sunImages(levelSun(), axis, axes.x, mirror);
     gain = SUN ? shown * sunsHotSpot(toEye, press) * frame.sunLight * frame.sunIsUp : vec3(0.0);

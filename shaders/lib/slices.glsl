@@ -61,15 +61,9 @@ uvec4 thinAt(LookTap t) {
     return uvec4(slices.thin[at.x][one.x], slices.thin[at.y][one.y], slices.thin[at.z][one.z],
                  slices.thin[at.w][one.w]);
 }
-uvec4 farLaidAt(LookTap t) {
-    ivec4 at = t.view / 4, one = t.view % 4;
-    return uvec4(slices.farLaid[at.x][one.x], slices.farLaid[at.y][one.y], slices.farLaid[at.z][one.z],
-                 slices.farLaid[at.w][one.w]);
-}
 // How many times as bright grass is where it is laid down so far.
-vec3 laidGain(LookTap t, float press, bool far) {
+vec3 laidGain(LookTap t, float press) {
     if (!FORCES && !FORCE_MAP) return vec3(1.0);
-    if (far) return mix(vec3(1.0), mixGains(t, farLaidAt(t), slices.farLaidScale), press);
     uvec4 bits = uvec4(slices.gains[t.view.x].laid, slices.gains[t.view.y].laid, slices.gains[t.view.z].laid,
                        slices.gains[t.view.w].laid);
     return mix(vec3(1.0), mixGains(t, bits, slices.gainScale.z), press);
@@ -83,7 +77,7 @@ vec3 sliceGain(vec3 toEye, vec2 lean, float press, bool far) {
     float leant = max(1.0 + dot(lean, mixLeans(t, uvec4(a.lean, b.lean, c.lean, d.lean))), 0.1);
     vec3 gain = leant * (far ? mixGains(t, uvec4(a.above, b.above, c.above, d.above), slices.gainScale.y)
                              : mixGains(t, uvec4(a.across, b.across, c.across, d.across), slices.gainScale.x));
-    return gain * laidGain(t, press, far);
+    return gain * laidGain(t, press);
 }
 // sliceGain of the horizontal slice where the field's density is so: between what it is at full density and at the thin
 // one by its logarithm.
@@ -96,6 +90,13 @@ vec3 farGain(vec3 toEye, vec2 lean, float press, float density) {
     vec3 thin =
         full * mixGains(t, thinAt(t), slices.gainScale.w) / max(mixGains(t, dense, slices.gainScale.y), vec3(1e-4));
     return mix(thin, full, clamp(1.0 + log2(max(density, 1e-3)) / log2(float(THIN_DENSITY)), 0.0, 1.0));
+}
+// The same for each level of detail of the horizontal slice's images: coarse ones mix what faces light and what does
+// not. pixel: how long it is, in cells.
+float farLevel(float pixel) {
+    float level = clamp(log2(pixel * exp2(float(FAR_LEVELS - 1))), 0.0, float(FAR_LEVELS - 1));
+    int fine = int(level), coarse = min(fine + 1, FAR_LEVELS - 1);
+    return mix(slices.farLevels[fine / 4][fine % 4], slices.farLevels[coarse / 4][coarse % 4], level - float(fine));
 }
 // By how much more light slices send where one looks along it: gains hold for views an eighth of a turn apart. share:
 // as `hotSpot` of SliceGlobals.

@@ -6,6 +6,7 @@
 #define LOOK_AZIMUTHS 8
 #define LOOK_ELEVATIONS 6
 #define LOOK_VIEWS 48
+#define FAR_LEVELS 7      // of the horizontal slice's images, from one of 64 texels along an axis on
 #define LOOK_QUARTERS 12  // a quarter of them
 #define THIN_DENSITY 8    // 1 / the density of SliceGlobals::thin
 // Texels of the image of lamps' gains: x, (1 - cosine of the azimuth between eye and light) / 2; y and z, elevations of
@@ -27,31 +28,31 @@ struct STD140 LookGain {
 };
 
 struct STD140 SliceGlobals {
-    float cellSize;                // m
-    float top;                     // height of the vertical slices (m)
-    int slices;                    // along an axis
-    float reflectScale;            // reflectance at full scale
-    float minGeom;                 // distance from which slices stand for blades (m)
-    float geomInv;                 // its lodInverse
-    float minBTF;                  // distance from which the horizontal slice stands for vertical ones (m)
-    float btfInv;                  // its lodInverse
-    vec2 area;                     // blade area towards x: a level view, y: the zenith (m2 a m2)
-    vec2 laidArea;                 // the same of grass that lies, pressed down
-    vec2 eyeCell;                  // x, z of the cell that the eye is over
-    vec2 inCell;                   // where in it, in cells (B-17)
-    vec4 sunWeights;               // of the images x+, y, z+, x-; z- is what is left to 1
-    vec4 gainScale;                // greatest factor of LookGain's across, above and laid, and of `thin`
-    uvec4 thin[LOOK_QUARTERS];     // a number a view: as LookGain's above, at a density of 1 / THIN_DENSITY
-    uvec4 farLaid[LOOK_QUARTERS];  // the same: as LookGain's laid, of the horizontal slice
-    vec3 ambient;                  // light from all around that vertical slices receive
-    float fade;                    // omega of numerics/opacity.h
-    vec3 farAmbient;               // that the horizontal slice receives
-    float steepest;                // tangent of the elevation above which vertical slices give way
-    vec3 hotSpot;                  // by what share the sun's light is brighter where one looks along it (tracedGlow)
+    float cellSize;             // m
+    float top;                  // height of the vertical slices (m)
+    int slices;                 // along an axis
+    float reflectScale;         // reflectance at full scale
+    float minGeom;              // distance from which slices stand for blades (m)
+    float geomInv;              // its lodInverse
+    float minBTF;               // distance from which the horizontal slice stands for vertical ones (m)
+    float btfInv;               // its lodInverse
+    vec2 area;                  // blade area towards x: a level view, y: the zenith (m2 a m2)
+    vec2 laidArea;              // the same of grass that lies, pressed down
+    vec2 eyeCell;               // x, z of the cell that the eye is over
+    vec2 inCell;                // where in it, in cells (B-17)
+    vec4 sunWeights;            // of the images x+, y, z+, x-; z- is what is left to 1
+    vec4 gainScale;             // greatest factor of LookGain's across, above and laid, and of `thin`
+    uvec4 thin[LOOK_QUARTERS];  // a number a view: as LookGain's above, at a density of 1 / THIN_DENSITY
+    vec4 farLevels[2];  // by level: by how much brighter it is drawn than it says, so that all are as bright as the
+                        // first
+    vec3 ambient;       // light from all around that vertical slices receive
+    float fade;         // omega of numerics/opacity.h
+    vec3 farAmbient;    // that the horizontal slice receives
+    float steepest;     // tangent of the elevation above which vertical slices give way
+    vec3 hotSpot;       // by what share the sun's light is brighter where one looks along it (tracedGlow)
     uint seed;
     vec3 lampHotSpot;      // the same of lamps: numbers of a polynomial by their elevation (tracedRise)
     int species;           // index in FieldGlobals
-    float farLaidScale;    // greatest factor of `farLaid`
     float farTexels;       // of the horizontal slice, along an axis
     float farHeight;       // of the horizontal slice (m)
     float farDepth;        // its optical depth

@@ -151,11 +151,13 @@ TEST(Raytraced, OverLevelGroundPixelsBeyondTheMiddleTierCostNoRays) {
     FlatField f = flatField(p);
     f.minGeom = 0.5f, f.maxGeom = 1, f.minBTF = 2, f.maxBTF = 3;
     f.hybrid.middleTier = MiddleTier::Raytraced;
-    ASSERT_TRUE(r.draw(p, grazing(), raytracedView()));
+    ViewSettings view = raytracedView();
+    view.measure = true;
+    ASSERT_TRUE(r.draw(p, grazing(), view));
     const uint64_t rays = raytracedPass(r, "grass/raytraced").fragments, all = raytracedPass(r, "grass/far").fragments;
     EXPECT_GT(rays, 0u);
     EXPECT_LT(rays, all / 2);
-    ASSERT_TRUE(r.draw(p, ViewCamera{{10, 4, 1}, {10, 0, 4}, 40, 0}, raytracedView()));
+    ASSERT_TRUE(r.draw(p, ViewCamera{{10, 4, 1}, {10, 0, 4}, 40, 0}, view));
     EXPECT_EQ(raytracedPass(r, "grass/raytraced").draws, 0u) << "all of the ground is farther away";
 }
 

@@ -64,17 +64,44 @@ TEST(Traced, DeepGrassHasAllOfItsFactorAtAnyDensityAndSparseGrassByIt) {
 TEST(Traced, ATiltedSkyChangesWhatComesFromTheSkyAlone) {
     TracedLight light = someLight();
     light.blades.skyTilt = {glm::vec3(0.5f), glm::vec3(0), glm::vec3(-0.25f)};
-    light.means = light.blades;
+    light.shows.sky.fill(glm::vec3(0.3f)), light.shows.skyTilt[1] = glm::vec3(0.1f);
     light.soilTilt = -0.1f;
     const TracedLight here = underSky(light, {1, 2, 0});
     EXPECT_EQ(here.blades.sky[0], light.blades.sky[0] + glm::vec3(0.5f, 1, 0));
     EXPECT_EQ(here.blades.sky[1], light.blades.sky[1]);
     EXPECT_EQ(here.blades.sky[2], light.blades.sky[2] - glm::vec3(0.25f, 0.5f, 0));
-    EXPECT_EQ(here.means.sky, here.blades.sky) << "slices have the same sky";
+    EXPECT_EQ(here.shows.sky[0], light.shows.sky[0]);
+    EXPECT_EQ(here.shows.sky[1], light.shows.sky[1] + glm::vec3(0.1f, 0.2f, 0)) << "slices have the same sky";
     EXPECT_NEAR(here.soilSky, 0.4f - 0.1f * (0.2126f + 2 * 0.7152f), 1e-6f);
     EXPECT_EQ(here.blades.direct, light.blades.direct);
     EXPECT_EQ(here.blades.ground, light.blades.ground);
     EXPECT_EQ(underSky(light, glm::vec3(0)).blades.sky, light.blades.sky);
+}
+
+// A table that is linear in the sines and the angle is read back everywhere between its directions.
+TEST(Traced, WhatIsSeenIsReadBetweenTheDirectionsThatWereTraced) {
+    TracedShows shows;
+    const auto at = [](float view, float light, float turn) {
+        return glm::vec3(1 + view, 2 - light, 0.5f + 0.1f * turn);
+    };
+    for (size_t v = 0; v < kTracedViews; ++v)
+        for (size_t l = 0; l < kTracedLights; ++l)
+            for (size_t t = 0; t < kTracedTurns; ++t)
+                shows.direct[(v * kTracedLights + l) * kTracedTurns + t] = at(kViewSines[v], kLightSines[l], kTurns[t]);
+    for (const float view : {0.04f, 0.3f, 0.7f, 0.97f})
+        for (const float light : {0.1f, 0.27f, 0.6f, 0.95f})
+            for (const float turn : {0.01f, 0.5f, 2.0f, 3.1f}) {
+                const float across = std::sqrt(1 - light * light);
+                const glm::vec3 seen = shownDirect(shows, {std::sqrt(1 - view * view), view, 0},
+                                                   {across * std::cos(turn), light, across * std::sin(turn)});
+                for (int k = 0; k < 3; ++k) EXPECT_NEAR(seen[k], at(view, light, turn)[k], 1e-4f);
+            }
+    EXPECT_EQ(shownDirect(shows, {1, -0.1f, 0}, {1, -0.5f, 0}).x, shownDirect(shows, {1, 0.04f, 0}, {1, 0.1f, 0}).x);
+    EXPECT_FALSE(std::isnan(shownDirect(shows, {0, 1, 0}, {0, 1, 0}).z)) << "an eye straight above";
+    shows.sky = {glm::vec3(1), glm::vec3(2), glm::vec3(3), glm::vec3(4), glm::vec3(5)};
+    EXPECT_EQ(shownRise(shows.sky, 0), glm::vec3(1));
+    EXPECT_EQ(shownRise(shows.sky, 1), glm::vec3(5));
+    EXPECT_NEAR(shownRise(shows.sky, 0.5f * (kViewSines[2] + kViewSines[3])).y, 3.5f, 1e-5f);
 }
 
 }  // namespace
