@@ -1,6 +1,8 @@
 // Painted maps as textures: one a map, uploaded by tile, only where a tile's pointer differs from the last upload.
 // A map that no pass asked for in a frame loses its texture after it.
 // Mip levels 1 to 7 of a tile are filtered from that tile alone (tiles are aligned to 128), coarser ones from level 7.
+// The GPU's levels have whole numbers of texels: where a map's half has none, its texels are means over parts of
+// halves, so that no level is shifted against the others. Colours count by their opacity.
 #pragma once
 #include <map>
 #include <string>
@@ -28,12 +30,15 @@ class MapTextures {
   private:
     struct Entry {
         Texture texture;
-        Map last;                       // as uploaded: tiles are compared by pointer
-        std::vector<std::byte> coarse;  // level 7, one texel a tile
+        Map last;                                    // as uploaded: tiles are compared by pointer
+        std::vector<std::vector<std::byte>> halves;  // by level: of those that the GPU's are not, and of level 7
         bool used = false, repeat = false;
     };
     void uploadTiles(Entry& e, bool srgb, const Map& map, const std::vector<int>& columns, int ty);
-    void uploadCoarse(Entry& e, bool srgb, const Map& map);
+    struct Changed {
+        int x0, y0, x1, y1;  // tiles, the last ones included
+    };
+    void uploadRest(Entry& e, bool srgb, const Map& map, const Changed& changed);
     Gpu& gpu_;
     std::map<std::string, Entry> entries_;
     uint64_t uploaded_ = 0;
