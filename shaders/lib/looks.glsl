@@ -4,6 +4,7 @@
 // Fragment shaders only.
 
 const float kLooks = 8.0;
+const float kFiner = 1.0;  // levels: each look is blurred by a texel and more, which a pixel's samples do anyway
 
 // Looks at a map: the first, the way from each to the next, how many, and their level of detail.
 struct Looks {
@@ -16,7 +17,7 @@ Looks looksAt(vec2 at, vec2 size) {
     float acrossX = length(x * size), acrossY = length(y * size), most = max(acrossX, acrossY),
           wide = max(min(acrossX, acrossY), 1.0), number = clamp(ceil(most / wide), 1.0, kLooks);
     vec2 way = (acrossX > acrossY ? x : y) / number;
-    return Looks(at - 0.5 * (number - 1.0) * way, way, number, log2(max(most / number, wide)));
+    return Looks(at - 0.5 * (number - 1.0) * way, way, number, log2(max(most / number, wide)) - kFiner);
 }
 // The mean of a map's colours, each by its opacity, and that of opacity.
 vec4 colorAlong(sampler2D map, vec2 at) {
