@@ -164,10 +164,14 @@ void place(DrawContext& ctx) {
     }
     writeBuffer(ctx.gpu, view.instances, kOwner, view.rows.size() * sizeof(ObjectInstance), view.rows.data());
     writeBuffer(ctx.gpu, view.placesBuffer, kOwner, view.places.size() * sizeof(glm::vec3), view.places.data());
-    for (const Group& g : view.groups) {
-        glVertexArrayVertexBuffer(g.mesh->mesh.id(), 1, view.instances.id(), 0, sizeof(ObjectInstance));
-        glVertexArrayVertexBuffer(g.mesh->mesh.id(), kPlaceBinding, view.placesBuffer.id(), 0, sizeof(glm::vec3));
-    }
+    // Of meshes that nobody sees, too: they may cast shadows.
+    for (const auto& [entity, u] : s.forests)
+        for (const TreeLevels& levels : u.species)
+            for (const GpuMesh& m : levels) {
+                if (!m.mesh.id()) continue;
+                glVertexArrayVertexBuffer(m.mesh.id(), 1, view.instances.id(), 0, sizeof(ObjectInstance));
+                glVertexArrayVertexBuffer(m.mesh.id(), kPlaceBinding, view.placesBuffer.id(), 0, sizeof(glm::vec3));
+            }
 }
 
 void draw(DrawContext& ctx) {

@@ -179,6 +179,28 @@ TEST(ForestTrees, AreAsBrightInLampsLightAsInTheTruth) {
         }
 }
 
+TEST(ForestTrees, CastShadowsThatAreSeenWhereTheyThemselvesAreNot) {
+    NoGlErrors errors;
+    Project p = wood(std::numeric_limits<float>::infinity());
+    Forest& f = *p.registry.get<Forest>(findEntity(p, "trees"));
+    f.perHectare = 0;
+    f.placed = {{.at = {60, 60}}};
+    Light& sun = *p.registry.get<Light>(findEntity(p, "sun"));
+    sun.azimuthDeg = 0, sun.elevationDeg = 18;
+    const ViewCamera beside{{60, 1.5, 83}, {60, 0, 84.5}, 25, 0};  // looks away from the tree, at its shadow
+    const auto green = [&](bool casts) {
+        f.castShadows = casts;
+        Renderer r(gpu(), tables());
+        EXPECT_TRUE(r.draw(p, beside, measured()));
+        const PassStats* seen = passNamed(r, "forest/trees");
+        EXPECT_TRUE(!seen || seen->instances == 0);
+        return meanGreen(r.readLinear());
+    };
+    const double open = green(false), shaded = green(true);
+    std::printf("ground by a tree: in the open %.4f, in its shadow %.4f\n", open, shaded);
+    EXPECT_LT(shaded, 0.85 * open);
+}
+
 // Which trees cast shadows is the same for the view and its mirror, wherever it looks.
 TEST(ForestTrees, ShadowMapsAreKeptWhileTheViewTurnsAndByWhatWaterMirrors) {
     NoGlErrors errors;
