@@ -205,7 +205,7 @@ glm::vec3 texelSends(const FarTexel& t, const glm::vec3& direction, const glm::v
     }
     return t.color * toward + f32::leafThrough(t.color) * (l.translucency * away);
 }
-// The same of all of it, over cells that are mirrored all ways.
+// What an image of the horizontal slice sends on average, over cells that are mirrored all ways.
 glm::vec3 imageSends(const std::vector<FarTexel>& image, const FieldLight& l, const glm::vec3& ambient) {
     glm::vec3 sum(0);
     float weight = 0;
@@ -259,15 +259,14 @@ glm::vec3 quotient(const glm::vec3& a, const glm::vec3& b) {
 
 // What the horizontal slice is to send along e: what rays have seen blades send, where they were traced.
 glm::vec3 aimAlong(const FieldLight& light, const std::vector<Posed>& points, const glm::vec3& e) {
-    const glm::vec3 law = asBlades(points, e, light).value();
-    if (!light.traced || !light.shade) return law;
+    if (!light.traced || !light.shade) return asBlades(points, e, light).value();
     const TracedShows& shows = light.traced->shows;
     glm::vec3 sum = light.sky * shownRise(shows.sky, e.y) + light.ground * shownRise(shows.ground, e.y);
     for (const auto& [direction, color] : light.suns) sum += color * shownDirect(shows, e, direction);
     if (light.density == 1) return sum;
     FieldLight full = light;
     full.density = 1;
-    return sum * quotient(law, asBlades(points, e, full).value());
+    return sum * quotient(asBlades(points, e, light).value(), asBlades(points, e, full).value());
 }
 
 // By view, how many times as bright blades are that lie: their faces turn up, and none stands in another's light
@@ -328,10 +327,6 @@ void updateLook(Look& look, uint64_t& madeFrom, const Species& s, const Patch& p
     const auto points = posed(look, glm::vec2(0), look.clumpLean), laid = posed(look, glm::vec2(0), 0, 1);
     look.across = areaAcross(points), look.above = areaTowards(points, {0, 1, 0});
     look.laidAcross = areaAcross(laid), look.laidAbove = areaTowards(laid, {0, 1, 0});
-}
-
-glm::vec3 meanOfBlades(const Look& look, const glm::vec3& toEye, const FieldLight& light) {
-    return asBlades(posed(look, glm::vec2(0), look.clumpLean), toEye, light).value();
 }
 
 float lightLeft(const Look& look, float sinElevation) {

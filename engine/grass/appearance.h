@@ -70,9 +70,6 @@ struct FieldLight {
     bool lampsCast = false;  // whether lamps do, so that blades shade blades in their light
 };
 
-// Mean radiance of what is seen of blades from a direction (unit, towards the eye), upright and drawn one by one.
-glm::vec3 meanOfBlades(const Look& look, const glm::vec3& toEye, const FieldLight& light);
-
 // What the horizontal slice's images hold of blades seen from above, a texel of some level.
 struct FarTexel {
     glm::vec3 color;      // reflectance

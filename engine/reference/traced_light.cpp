@@ -46,7 +46,6 @@ float luminance(const glm::vec3& c) { return glm::dot(c, glm::vec3(0.2126f, 0.71
 struct Lawn {
     Project project;
     BladeShade shade;
-    Look look;
     float height = 0;    // of its highest blade, metres
     float soilOpen = 1;  // share of the sky's light that comes to its soil
 };
@@ -68,8 +67,6 @@ Result<Lawn> lawnOf(const TracedSpec& spec) {
     lawn.height *= 1.05f;
     const BladeMask mask = makeBladeMask(s.species, patch, s.cellSize, s.shadowMask);
     lawn.shade = {0, mask.radius, mask.top, maskRows(mask)};
-    uint64_t made = 0;
-    updateLook(lawn.look, made, s.species, patch, 1, s.blade);
     return lawn;
 }
 

@@ -91,8 +91,8 @@ vec3 farGain(vec3 toEye, vec2 lean, float press, float density) {
         full * mixGains(t, thinAt(t), slices.gainScale.w) / max(mixGains(t, dense, slices.gainScale.y), vec3(1e-4));
     return mix(thin, full, clamp(1.0 + log2(max(density, 1e-3)) / log2(float(THIN_DENSITY)), 0.0, 1.0));
 }
-// The same for each level of detail of the horizontal slice's images: coarse ones mix what faces light and what does
-// not. pixel: how long it is, in cells.
+// Factor that makes each level of detail of the horizontal slice's images as bright as the finest: coarse ones mix what
+// faces light and what does not. pixel: how long it is, in cells.
 float farLevel(float pixel) {
     float level = clamp(log2(pixel * exp2(float(FAR_LEVELS - 1))), 0.0, float(FAR_LEVELS - 1));
     int fine = int(level), coarse = min(fine + 1, FAR_LEVELS - 1);
