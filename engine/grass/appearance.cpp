@@ -99,35 +99,6 @@ glm::vec3 bladeLight(const Posed& p, const glm::vec3& e, const FieldLight& l) {
     return sum;
 }
 
-// What a slice that faces `way` stores of a point: its normal's parts along the axes and against them, each with what
-// of that light passes.
-struct Stored {
-    glm::vec3 plus, minus;
-};
-Stored stored(const Posed& p, const glm::vec3& n, const FieldLight& l) {
-    const float side = passes(p, l, {0.8191520f, 0.5735764f, 0}), above = passes(p, l, {0, 1, 0});
-    const glm::vec3 share(side, above, side);
-    return {glm::max(n, glm::vec3(0)) * share, glm::max(-n, glm::vec3(0)) * share};
-}
-glm::vec3 sliceLight(const Posed& p, const glm::vec3& n, const FieldLight& l, const glm::vec3& ambient,
-                     const std::vector<glm::vec4>& weights) {
-    glm::vec3 sum = p.color * ambient * p.open;
-    const Stored s = stored(p, n, l);
-    for (size_t i = 0; i < weights.size(); ++i) {
-        glm::vec3 plus = glm::max(l.suns[i].first, glm::vec3(0)), minus = glm::max(-l.suns[i].first, glm::vec3(0));
-        if (l.weighting != LightWeighting::Cosine) {
-            const glm::vec4& w = weights[i];
-            plus = {w.x, w.y, w.z}, minus = {w.w, 0, 1 - (w.x + w.y + w.z + w.w)};
-        }
-        float toward = glm::dot(s.plus, plus) + glm::dot(s.minus, minus),
-              away = glm::dot(s.plus, minus) + glm::dot(s.minus, plus);
-        if (l.weighting == LightWeighting::Cosine)
-            std::tie(toward, away) = std::pair{std::max(toward - away, 0.0f), std::max(away - toward, 0.0f)};
-        sum += l.suns[i].second * (p.color * toward + f32::leafThrough(p.color) * (l.translucency * away));
-    }
-    return sum;
-}
-
 // Calls see(point, share of it that is seen) for the points from the top down.
 template <class F>
 void eachSeen(const std::vector<Posed>& points, const glm::vec3& e, float density, F see) {
@@ -162,71 +133,6 @@ Mean asBlades(const std::vector<Posed>& points, const glm::vec3& e, const FieldL
     });
     return m;
 }
-// Both families of vertical slices, each by how much it is turned towards e.
-Mean asSlices(const std::vector<Posed>& points, const glm::vec3& e, const FieldLight& l, const glm::vec3& ambient,
-              const std::vector<glm::vec4>& weights) {
-    Mean m;
-    eachSeen(points, e, l.density, [&](const Posed& p, float seen) {
-        for (int axis = 0; axis <= 2; axis += 2) {
-            glm::vec3 way(0);
-            way[axis] = e[axis] < 0 ? -1.0f : 1.0f;
-            const float w = p.area * std::abs(p.normal[axis]) * e[axis] * e[axis] * seen;
-            m.radiance += sliceLight(p, facing(p.normal, way), l, ambient, weights) * w;
-            m.weight += w;
-        }
-    });
-    return m;
-}
-Mean asFar(const std::vector<Posed>& points, const FieldLight& l, const glm::vec3& ambient,
-           const std::vector<glm::vec4>& weights) {
-    Mean m;
-    const glm::vec3 up(0, 1, 0);
-    eachSeen(points, up, l.density, [&](const Posed& p, float seen) {
-        const float w = p.area * std::abs(p.normal.y) * seen;
-        m.radiance += sliceLight(p, facing(p.normal, up), l, ambient, weights) * w;
-        m.weight += w;
-    });
-    return m;
-}
-
-// What a texel of the horizontal slice sends, by shaders' form of light (lib/far_light.glsl).
-glm::vec3 texelSends(const FarTexel& t, const glm::vec3& direction, const glm::vec4& w, const FieldLight& l) {
-    float toward, away;
-    if (l.weighting == LightWeighting::Cosine) {
-        const glm::vec3 plus(t.sides.x, t.above, t.sides.z), minus(t.sides.y, t.below, t.sides.w);
-        const float facing = glm::dot(plus - minus, direction),
-                    spread = 2 * glm::dot(glm::min(plus, minus), glm::abs(direction)),
-                    both = std::sqrt(facing * facing + spread * spread);
-        toward = 0.5f * (both + facing), away = 0.5f * (both - facing);
-    } else {
-        const glm::vec4 images(w.x, w.w, w.z, 1 - (w.x + w.y + w.z + w.w));
-        toward = glm::dot(t.sides, images) + t.above * w.y;
-        away = glm::dot(glm::vec4(t.sides.y, t.sides.x, t.sides.w, t.sides.z), images) + t.below * w.y;
-    }
-    return t.color * toward + f32::leafThrough(t.color) * (l.translucency * away);
-}
-// What an image of the horizontal slice sends on average, over cells that are mirrored all ways.
-glm::vec3 imageSends(const std::vector<FarTexel>& image, const FieldLight& l, const glm::vec3& ambient) {
-    glm::vec3 sum(0);
-    float weight = 0;
-    std::vector<std::array<glm::vec4, 4>> weights;
-    const auto mirrored = [](const glm::vec3& d, size_t m) {
-        return d * glm::vec3(m & 1 ? -1.0f : 1.0f, 1, m & 2 ? -1.0f : 1.0f);
-    };
-    for (const auto& [direction, color] : l.suns) {
-        std::array<glm::vec4, 4>& four = weights.emplace_back();
-        for (size_t m = 0; m < 4; ++m) four[m] = imageWeights(mirrored(direction, m), l.weighting);
-    }
-    for (const FarTexel& t : image) {
-        glm::vec3 sent = t.color * ambient * t.open;
-        for (size_t i = 0; i < l.suns.size(); ++i)
-            for (size_t m = 0; m < 4; ++m)
-                sent += 0.25f * l.suns[i].second * texelSends(t, mirrored(l.suns[i].first, m), weights[i][m], l);
-        sum += t.opacity * sent, weight += t.opacity;
-    }
-    return sum / std::max(weight, 1e-9f);
-}
-
 float luminance(const glm::vec3& c) { return glm::dot(c, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
 // Of lamps, as a polynomial of the sine of their elevations.
 glm::vec3 lampHotSpot(const TracedFactors& traced) {
@@ -241,10 +147,11 @@ glm::vec3 lampHotSpot(const TracedFactors& traced) {
     return glm::inverse(glm::transpose(rises)) * shares;
 }
 
-// share: of a quarter turn up, as a sine's root.
-glm::vec3 directionOf(float azimuth, float share) {
-    const float y = std::clamp(share * share, kLeast, 0.999f), h = std::sqrt(1 - y * y);
-    return {h * std::cos(azimuth), y, h * std::sin(azimuth)};
+// height: as lookHeight has it, in [0, 1].
+glm::vec3 directionOf(float azimuth, float height) {
+    const float rise = 0.7853982f + std::asin((2 * height * height - 1) * 0.7071068f),
+                y = std::clamp(std::sin(rise), kLeast, 0.999f), level = std::sqrt(1 - y * y);
+    return {level * std::cos(azimuth), y, level * std::sin(azimuth)};
 }
 glm::vec3 viewOf(int i) {
     return directionOf(6.2831853f * static_cast<float>(i % LOOK_AZIMUTHS) / LOOK_AZIMUTHS,
@@ -257,7 +164,7 @@ glm::vec3 quotient(const glm::vec3& a, const glm::vec3& b) {
     return {quotient(a.x, b.x), quotient(a.y, b.y), quotient(a.z, b.z)};
 }
 
-// What the horizontal slice is to send along e: what rays have seen blades send, where they were traced.
+// What slices are to send along e: what rays have seen blades send, where they were traced.
 glm::vec3 aimAlong(const FieldLight& light, const std::vector<Posed>& points, const glm::vec3& e) {
     if (!light.traced || !light.shade) return asBlades(points, e, light).value();
     const TracedShows& shows = light.traced->shows;
@@ -270,7 +177,7 @@ glm::vec3 aimAlong(const FieldLight& light, const std::vector<Posed>& points, co
 }
 
 // By view, how many times as bright blades are that lie: their faces turn up, and none stands in another's light
-// (lib/blade.glsl). Over blades that stand; and over what the horizontal slice sends of them.
+// (lib/blade.glsl). Over blades that stand.
 void addLaidGains(const Look& look, const FieldLight& light, Gains& out) {
     const auto standing = posed(look, glm::vec2(0), look.clumpLean), laid = posed(look, glm::vec2(0), 0, 1);
     const BladeShade none{.rows = {1.0f}};
@@ -278,7 +185,7 @@ void addLaidGains(const Look& look, const FieldLight& light, Gains& out) {
     TracedLight indirect;  // light from all around is as among blades that stand, direct light as without them
     if (light.traced) {
         indirect = *light.traced, indirect.blades.direct = {};
-        indirect.blades.direct[0] = glm::vec3(1);
+        for (size_t i = 0; i < TRACED_DIRECT; i += TRACED_TERMS) indirect.blades.direct[i] = glm::vec3(1);
         open.traced = &indirect;
     }
     if (light.shade) open.shade = &none;
@@ -286,6 +193,46 @@ void addLaidGains(const Look& look, const FieldLight& light, Gains& out) {
         const auto at = static_cast<size_t>(i);
         const glm::vec3 e = viewOf(i), bright = asBlades(laid, e, open).value();
         out.laid[at] = glm::vec4(quotient(bright, asBlades(standing, e, light).value()), 0);
+    }
+}
+
+// Where the gains of vertical slices hold; the level of each view's gain, and how many texels of a row are read.
+constexpr size_t kShownLevel = 1, kRowTexels = 64;
+
+// By how much brighter each level is drawn than it says, so that all are as bright as the first.
+void addLevels(const DrawnImages& images, const FieldLight& light, Gains& out) {
+    const glm::vec3 far = imageSends(images.far[0], light, out.farAmbient);
+    for (size_t i = 1; i < FAR_LEVELS; ++i)
+        out.farLevels[i] = quotient(luminance(far), luminance(imageSends(images.far[i], light, out.farAmbient)));
+    const glm::vec3 e = directionOf(0.4f, 0.6f);
+    const auto shown = [&](size_t level) {
+        return luminance(sentAlong(sharesSeen(images.standing, level, e, images.stand),
+                                   rowsSend(images.standing, level, light, out.sliceAmbient, kRowTexels), e));
+    };
+    const float first = shown(kShownLevel);
+    for (size_t i = 0; i < SLICE_LEVELS; ++i) out.sliceLevels[i] = quotient(first, shown(i));
+}
+
+// Lean of a blade towards x and against it, towards z and against it.
+std::array<std::vector<Posed>, 4> leantWays(const Look& look, float lean) {
+    std::array<std::vector<Posed>, 4> out;
+    constexpr glm::vec2 kWays[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+    for (size_t i = 0; i < out.size(); ++i) out[i] = posed(look, lean * kWays[i], look.clumpLean);
+    return out;
+}
+void addLeans(const Look& look, const FieldLight& light, Gains& out) {
+    const auto standing = posed(look, glm::vec2(0), look.clumpLean);
+    const auto leant = leantWays(look, light.lean);
+    for (int i = 0; i < LOOK_VIEWS; ++i) {
+        const glm::vec3 e = viewOf(i);
+        const float blades = luminance(asBlades(standing, e, light).value());
+        const auto change = [&](size_t way) {
+            const float a = luminance(asBlades(leant[way], e, light).value()),
+                        b = luminance(asBlades(leant[way + 1], e, light).value());
+            return std::clamp(0.5f * (a - b) / std::max(blades, 1e-9f), -0.9f, 0.9f) / light.lean;
+        };
+        out.slices[static_cast<size_t>(i)].w = change(0);
+        out.far[static_cast<size_t>(i)].w = change(2);
     }
 }
 
@@ -334,42 +281,7 @@ float lightLeft(const Look& look, float sinElevation) {
     return std::exp(-std::sqrt(across * across + look.above * look.above * y * y) / y);
 }
 
-glm::vec4 imageWeights(const glm::vec3& l, LightWeighting weighting) {
-    const f32::LightOctant o = f32::lightOctant(l);
-    glm::vec3 w;
-    switch (weighting) {
-        case LightWeighting::Poly9:
-            w = f32::weightsPoly9(o);
-            break;
-        case LightWeighting::Poly7:
-            w = f32::weightsPoly7(o);
-            break;
-        case LightWeighting::Poly5:
-            w = f32::weightsPoly5(o);
-            break;
-        case LightWeighting::Poly3:
-            w = f32::weightsPoly3(o);
-            break;
-        case LightWeighting::Linear:
-            w = f32::weightsLinear(o);
-            break;
-        case LightWeighting::Squares:
-            w = f32::weightsSquares(o);
-            break;
-        case LightWeighting::Published:
-            w = f32::weightsPublished(l);
-            if (!(std::abs(w.x + w.y + w.z - 1) < 0.01f))
-                w = f32::weightsThreeAtan(o);  // no number on axes, too much below the horizon
-            break;
-        default:
-            w = f32::weightsThreeAtan(o);
-            break;
-    }
-    const f32::LightWeights five = f32::spreadWeights(l, w);
-    return {five.xPos, five.yPos, five.zPos, five.xNeg};
-}
-
-Gains gainsOf(const Look& look, const FieldLight& light, const FarImage& image) {
+Gains gainsOf(const Look& look, const FieldLight& light, const DrawnImages& images) {
     Gains out;
     if (light.traced && light.shade && !light.suns.empty())
         out.hotSpot = tracedHotSpot(light.traced->blades, light.suns[0].first);
@@ -378,73 +290,52 @@ Gains gainsOf(const Look& look, const FieldLight& light, const FarImage& image) 
     out.farAmbient = 0.25f * light.ground + 0.75f * light.sky;
     out.laid.fill(glm::vec4(1, 1, 1, 0));
     if (light.pressed) addLaidGains(look, light, out);
-    std::vector<glm::vec4> weights;
-    for (const auto& [direction, color] : light.suns) weights.push_back(imageWeights(direction, light.weighting));
-    const auto plain = posed(look, glm::vec2(0), 0), clumped = posed(look, glm::vec2(0), look.clumpLean);
-    const auto far = image.levels[0].empty() ? asFar(plain, light, out.farAmbient, weights).value()
-                                             : imageSends(image.levels[0], light, out.farAmbient);
-    for (size_t i = 1; i < FAR_LEVELS && !image.levels[i].empty(); ++i)
-        out.farLevels[i] = quotient(luminance(far), luminance(imageSends(image.levels[i], light, out.farAmbient)));
+    addLevels(images, light, out);
     FieldLight sparse = light;
     sparse.density = kThinDensity;
-    std::vector<Posed> leant[4];
-    for (int i = 0; i < 4 && light.lean > 0; ++i)
-        leant[i] = posed(look,
-                         light.lean * glm::vec2(i == 0   ? 1
-                                                : i == 1 ? -1
-                                                         : 0,
-                                                i == 2   ? 1
-                                                : i == 3 ? -1
-                                                         : 0),
-                         look.clumpLean);
-    for (int i = 0; i < LOOK_VIEWS; ++i) {
-        const glm::vec3 e = viewOf(i), blades = asBlades(clumped, e, light).value();
-        out.slices[static_cast<size_t>(i)] =
-            glm::vec4(quotient(blades, asSlices(plain, e, light, out.sliceAmbient, weights).value()), 0);
-        out.far[static_cast<size_t>(i)] = glm::vec4(quotient(aimAlong(light, clumped, e), far), 0);
-        out.thin[static_cast<size_t>(i)] =
-            light.painted ? glm::vec4(quotient(aimAlong(sparse, clumped, e), far), 0) : glm::vec4(1, 1, 1, 0);
-        if (light.lean <= 0) continue;
-        const auto change = [&](int plus) {
-            const float a = luminance(asBlades(leant[plus], e, light).value()),
-                        b = luminance(asBlades(leant[plus + 1], e, light).value());
-            return std::clamp(0.5f * (a - b) / std::max(luminance(blades), 1e-9f), -0.9f, 0.9f) / light.lean;
-        };
-        out.slices[static_cast<size_t>(i)].w = change(0);
-        out.far[static_cast<size_t>(i)].w = change(2);
+    const auto standing = posed(look, glm::vec2(0), look.clumpLean);
+    const glm::vec3 far = imageSends(images.far[0], light, out.farAmbient);
+    const RowsSend rows = rowsSend(images.standing, kShownLevel, light, out.sliceAmbient, kRowTexels);
+    for (size_t i = 0; i < LOOK_VIEWS; ++i) {
+        const glm::vec3 e = viewOf(static_cast<int>(i)), aim = aimAlong(light, standing, e);
+        const RowShares shares = sharesSeen(images.standing, kShownLevel, e, images.stand);
+        out.slices[i] = glm::vec4(quotient(aim, sentAlong(shares, rows, e)), 0);
+        out.far[i] = glm::vec4(quotient(aim, far), 0);
+        out.thin[i] =
+            light.painted ? glm::vec4(quotient(aimAlong(sparse, standing, e), far), 0) : glm::vec4(1, 1, 1, 0);
     }
+    if (light.lean > 0) addLeans(look, light, out);
     return out;
 }
 
-LampGains lampGainsOf(const Look& look, FieldLight leaves, const FarImage& image) {
+LampGains lampGainsOf(const Look& look, FieldLight leaves, const DrawnImages& images) {
     leaves.sky = leaves.ground = glm::vec3(0);
-    FieldLight images = leaves;  // of lamps they know what falls on the side that is seen
-    images.translucency = 0, images.weighting = LightWeighting::Poly9;
-    const auto plain = posed(look, glm::vec2(0), 0), clumped = posed(look, glm::vec2(0), look.clumpLean);
-    constexpr size_t kLampLevel = 3;                 // few texels: there are hundreds of directions
-    constexpr float kAzimuths[] = {0.196f, 0.982f};  // of all, by the symmetry of mirrored cells
+    FieldLight seen = leaves;  // of lamps images know what falls on the side that is seen
+    seen.translucency = 0, seen.weighting = LightWeighting::Poly9;
+    const auto standing = posed(look, glm::vec2(0), look.clumpLean);
+    constexpr size_t kLampLevel = 3, kFarLevel = 5, kLampTexels = 8;  // few texels: there are hundreds of directions
+    constexpr float kAzimuths[] = {0.196f, 0.982f};                   // of all, by the symmetry of mirrored cells
+    const auto share = [](size_t i) { return static_cast<float>(i % LAMP_ELEVATIONS) / (LAMP_ELEVATIONS - 1); };
+    std::array<std::array<RowShares, LAMP_ELEVATIONS>, 2> shown;
+    for (size_t k = 0; k < std::size(kAzimuths); ++k)
+        for (size_t i = 0; i < LAMP_ELEVATIONS; ++i)
+            shown[k][i] = sharesSeen(images.standing, kLampLevel, directionOf(kAzimuths[k], share(i)), images.stand);
     LampGains out;
     for (size_t i = 0; i < out.size(); ++i) {
-        const auto share = [&](size_t n) {
-            return static_cast<float>(i / n % LAMP_ELEVATIONS) / (LAMP_ELEVATIONS - 1);
-        };
         const float between = std::acos(1 - 2 * static_cast<float>(i % LAMP_AZIMUTHS) / (LAMP_AZIMUTHS - 1));
-        glm::vec3 blades(0), aim(0), vertical(0), horizontal(0);
+        const size_t eye = i / LAMP_AZIMUTHS % LAMP_ELEVATIONS;
+        glm::vec3 aim(0), vertical(0), horizontal(0);
         for (size_t k = 0; k < std::size(kAzimuths); ++k) {
-            const float turn = kAzimuths[k];
-            const glm::vec3 e = directionOf(turn, share(LAMP_AZIMUTHS)),
-                            lamp = directionOf(turn + between, share(LAMP_AZIMUTHS * LAMP_ELEVATIONS));
-            leaves.suns = images.suns = {{lamp, glm::vec3(1)}};
-            const std::vector<glm::vec4> weights{imageWeights(lamp, images.weighting)};
-            blades += asBlades(clumped, e, leaves).value();
-            aim += aimAlong(leaves, clumped, e);
-            vertical += asSlices(plain, e, images, glm::vec3(0), weights).value();
-            horizontal += image.levels[kLampLevel].empty() ? asFar(plain, images, glm::vec3(0), weights).value()
-                                                           : imageSends(image.levels[kLampLevel], images, glm::vec3(0));
+            const glm::vec3 e = directionOf(kAzimuths[k], share(eye)),
+                            lamp = directionOf(kAzimuths[k] + between, share(i / (LAMP_AZIMUTHS * LAMP_ELEVATIONS)));
+            leaves.suns = seen.suns = {{lamp, glm::vec3(1)}};
+            aim += aimAlong(leaves, standing, e);
+            vertical +=
+                sentAlong(shown[k][eye], rowsSend(images.standing, kLampLevel, seen, glm::vec3(0), kLampTexels), e);
+            horizontal += imageSends(images.far[kFarLevel], seen, glm::vec3(0));
         }
         // Blades are all but black before a lamp.
-        out[i] = {quotient(luminance(blades), luminance(vertical), 0.02f),
-                  quotient(luminance(aim), luminance(horizontal), 0.02f)};
+        out[i] = {quotient(luminance(aim), luminance(vertical)), quotient(luminance(aim), luminance(horizontal))};
     }
     return out;
 }

@@ -12,20 +12,11 @@
 #include <vector>
 
 #include "frame/color_image.h"
-#include "frame/draw_context.h"
-#include "grass/slice_settings.h"
-#include "grass/traced.h"
+#include "grass/image_light.h"
 #include "scene/population.h"
 #include "shared/slices.h"
 
 namespace sward {
-
-// How a species' blades shade each other, made by grass/mask. Texture 0: they do not.
-struct BladeShade {
-    GLuint texture = 0;
-    float radius = 0, top = 0;  // of the mask's cylinder, metres
-    std::vector<float> rows;    // mean of the mask's rows at density 1, from the ground up
-};
 
 // Share of light from a direction (unit, towards it) that the neighbours leave at density 1 to a point so high over the
 // ground (m), in the mean around the blade.
@@ -55,35 +46,8 @@ void updateLook(Look& look, uint64_t& madeFrom, const Species& species, const Pa
 // Share of light from this elevation that full grass leaves to the soil: Beer's law.
 float lightLeft(const Look& look, float sinElevation);
 
-// The light that a field stands in.
-struct FieldLight {
-    glm::vec3 sky, ground;                                // as FrameGlobals
-    std::vector<std::pair<glm::vec3, glm::vec3>> suns;    // towards the light (unit), colour
-    float roughness = 0.5f, gloss = 0, translucency = 0;  // of the leaves
-    const TracedLight* traced = nullptr;                  // light from blade to blade; null: none
-    const BladeShade* shade = nullptr;  // how blades shade blades in direct light; null: depth below the tips does
-    LightWeighting weighting = LightWeighting::Cosine;  // how slices weigh their images
-    float density = 1;                                  // of the field there
-    bool painted = false;                               // whether its density is: gains of thin grass are wanted
-    float lean = 0;          // that paint or wind gives, m per m: where their change is taken; 0: neither is there
-    bool pressed = false;    // whether something may press blades down
-    bool lampsCast = false;  // whether lamps do, so that blades shade blades in their light
-};
-
-// What the horizontal slice's images hold of blades seen from above, a texel of some level.
-struct FarTexel {
-    glm::vec3 color;      // reflectance
-    float open, opacity;  // share of ambient light that reaches it; of the ground that it hides
-    glm::vec4 sides;      // light from x+, x-, z+, z-
-    float above, below;   // light from above, on the side that is seen and on the other
-};
-struct FarImage {
-    std::array<std::vector<FarTexel>, FAR_LEVELS> levels;
-    uint64_t key = 0;  // hash of all of it
-};
-
 inline constexpr float kThinDensity = 1.0f / THIN_DENSITY;
-// By view: kLookAzimuths (x = cos a, z = sin a towards the eye) times kLookElevations (sine = (i / (n-1))^2).
+// By view: LOOK_AZIMUTHS (x = cos a, z = sin a towards the eye, fastest) times LOOK_ELEVATIONS.
 struct Gains {
     std::array<glm::vec4, LOOK_VIEWS>
         slices;  // rgb: factor of vertical slices; w: share by which a lean (m per m) towards +x brightens
@@ -93,22 +57,19 @@ struct Gains {
                                              // further down, where others shade less
     // rgb: how many times as bright blades that are pressed down are as those that stand; 1 where none may be.
     std::array<glm::vec4, LOOK_VIEWS> laid;
-    std::array<float, FAR_LEVELS> farLevels{1, 1, 1, 1, 1, 1, 1};  // as SliceGlobals has them
+    // As SliceGlobals has them.
+    std::array<float, FAR_LEVELS> farLevels{1, 1, 1, 1, 1, 1, 1, 1};
+    std::array<float, SLICE_LEVELS> sliceLevels{1, 1, 1, 1, 1, 1, 1, 1};
     glm::vec3 sliceAmbient, farAmbient;    // ambient light that their texels are taken to receive
     glm::vec3 hotSpot{0}, lampHotSpot{0};  // as SliceGlobals has them
 };
 // Factors by which slices and pressed blades are drawn so that they are as bright as blades drawn one by one.
-// far: the horizontal slice's images; none: what the look says of one.
-Gains gainsOf(const Look& look, const FieldLight& light, const FarImage& far = {});
+Gains gainsOf(const Look& look, const FieldLight& light, const DrawnImages& images);
 
 // Factors for light from one lamp, by where the eye and the lamp are (LAMP_AZIMUTHS, x fastest; LAMP_ELEVATIONS of the
 // eye, then of the lamp): x, of vertical slices; y, of the horizontal one. A lamp's light comes from elsewhere at each
 // place, and the sun's gains say nothing of it.
 using LampGains = std::array<glm::vec2, static_cast<size_t>(LAMP_AZIMUTHS* LAMP_ELEVATIONS* LAMP_ELEVATIONS)>;
 // leaves: roughness, gloss, translucency; how lamps are shaded. Its lights are not read.
-LampGains lampGainsOf(const Look& look, FieldLight leaves, const FarImage& far = {});
-// Five weights (x+, y, z+, x-; z- is what is left to 1) by a form of equations 8-13; Cosine: by the exact one, and
-// so is the published one where it has no value (B-1, B-4).
-glm::vec4 imageWeights(const glm::vec3& towardsLight, LightWeighting weighting);
-
+LampGains lampGainsOf(const Look& look, FieldLight leaves, const DrawnImages& images);
 }  // namespace sward

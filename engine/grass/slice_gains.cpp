@@ -58,13 +58,13 @@ void updateLampGains(const DrawContext& ctx, const GrownField& f, GrownSpecies& 
     l.shade = l.lampsCast ? &s.shade : nullptr;
     std::vector<float> read{l.translucency, l.gloss, l.roughness};
     addShading(read, l);
-    const uint64_t key = hashBytes(read.data(), read.size() * sizeof(float)) ^ s.lookKey ^ s.slices.farImage.key;
+    const uint64_t key = hashBytes(read.data(), read.size() * sizeof(float)) ^ s.lookKey ^ s.slices.means.key;
     if (s.lampGains.id() && s.lampGainKey == key) return;
     if (ctx.sketching() && s.lampGains.id()) return;
     s.lampGainKey = ctx.sketching() ? 0 : key;
     LampGains gains;
     gains.fill(glm::vec2(1));  // in a sketch
-    if (!ctx.sketching()) gains = lampGainsOf(s.look, l, s.slices.farImage);
+    if (!ctx.sketching()) gains = lampGainsOf(s.look, l, s.slices.means);
     if (!s.lampGains.id())
         s.lampGains = makeTexture3D(ctx.gpu, "grass/far", GL_RG16F, LAMP_AZIMUTHS, LAMP_ELEVATIONS, LAMP_ELEVATIONS);
     glTextureSubImage3D(s.lampGains.id(), 0, 0, 0, 0, LAMP_AZIMUTHS, LAMP_ELEVATIONS, LAMP_ELEVATIONS, GL_RG, GL_FLOAT,
@@ -88,10 +88,10 @@ void updateGains(GrownSpecies& s, const FieldLight& l) {
                             l.lampsCast ? 1.0f : 0.0f};
     addShading(read, l);
     for (const auto& [d, c] : l.suns) read.insert(read.end(), {d.x, d.y, d.z, c.x, c.y, c.z});
-    const uint64_t key = hashBytes(read.data(), read.size() * sizeof(float)) ^ s.lookKey ^ s.slices.farImage.key;
+    const uint64_t key = hashBytes(read.data(), read.size() * sizeof(float)) ^ s.lookKey ^ s.slices.means.key;
     if (s.gainKey == key) return;
     s.gainKey = key;
-    s.gains = gainsOf(s.look, l, s.slices.farImage);
+    s.gains = gainsOf(s.look, l, s.slices.means);
 }
 
 float greatest(const std::array<glm::vec4, LOOK_VIEWS>& factors) {
@@ -110,8 +110,9 @@ uint32_t packedGain(const glm::vec4& factor, float scale) {
 void setGains(SliceGlobals& g, bool conserving, Gains gains) {
     if (!conserving)
         for (auto* factors : {&gains.slices, &gains.far, &gains.thin, &gains.laid}) factors->fill({1, 1, 1, 0});
-    if (!conserving) gains.farLevels.fill(1);
+    if (!conserving) gains.farLevels.fill(1), gains.sliceLevels.fill(1);
     for (int i = 0; i < FAR_LEVELS; ++i) g.farLevels[i / 4][i % 4] = gains.farLevels[static_cast<size_t>(i)];
+    for (int i = 0; i < SLICE_LEVELS; ++i) g.sliceLevels[i / 4][i % 4] = gains.sliceLevels[static_cast<size_t>(i)];
     g.hotSpot = conserving ? gains.hotSpot : glm::vec3(0);
     g.lampHotSpot = conserving ? gains.lampHotSpot : glm::vec3(0);
     g.gainScale = {greatest(gains.slices), greatest(gains.far), greatest(gains.laid), greatest(gains.thin)};

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "core/hash.h"
-
 namespace sward {
 namespace {
 
@@ -77,30 +75,6 @@ float meanOpacity(const SliceLevel& l) {
     return static_cast<float>(4 * sum / (255.0 * static_cast<double>(l.threshold.size())));
 }
 
-// The coarsest levels, so that a change of light is told in less than a millisecond. Of smaller images the first ones
-// are the finest.
-FarImage farImageOf(const SliceImages& images) {
-    FarImage out;
-    for (size_t level = 0; level < FAR_LEVELS; ++level) {
-        const auto found = std::find_if(images.far.begin(), images.far.end(),
-                                        [&](const SliceLevel& l) { return l.width <= 1 << (FAR_LEVELS - 1 - level); });
-        const SliceLevel& l = found == images.far.end() ? images.far.back() : *found;
-        out.levels[level].resize(static_cast<size_t>(l.width) * l.height);
-        for (size_t i = 0; i < out.levels[level].size(); ++i) {
-            const auto at = [i](const std::vector<uint8_t>& bytes) {
-                return glm::vec4(bytes[4 * i], bytes[4 * i + 1], bytes[4 * i + 2], bytes[4 * i + 3]) / 255.0f;
-            };
-            const glm::vec4 color = at(l.reflectance), stored = at(l.threshold);
-            out.levels[level][i] = {
-                glm::vec3(color) * images.reflectScale, color.w, stored.y, at(l.front), stored.z, stored.w};
-        }
-        const uint64_t parts[] = {out.key,
-                                  hashBytes(out.levels[level].data(), out.levels[level].size() * sizeof(FarTexel))};
-        out.key = hashBytes(parts, sizeof(parts));
-    }
-    return out;
-}
-
 }  // namespace
 
 size_t SliceTextures::bytes() const {
@@ -111,13 +85,13 @@ size_t SliceTextures::bytes() const {
 }
 
 SliceTextures uploadSlices(Gpu& gpu, const std::string& owner, const std::string& farOwner, const SliceImages& images,
-                           Storage storage, SliceSets sets) {
+                           Storage storage, SliceSets sets, const SliceStand& stand) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);  // the last levels are narrower than 4 bytes
     SliceTextures out;
     out.slices = images.slices, out.top = images.top, out.reflectScale = images.reflectScale;
     out.layers = (sets == SliceSets::Shared ? 1 : 2) * images.slices;
     out.farDepth = -std::log(1 - std::min(meanOpacity(images.far[0]), 0.999f));
-    out.farImage = farImageOf(images);
+    out.means = drawnImagesOf(images, !owner.empty(), sets, stand);
     if (!owner.empty()) {
         Set s = uploadSet(gpu, owner, images.vertical, out.layers, storage, GL_CLAMP_TO_EDGE);
         out.reflectance = std::move(s.reflectance), out.threshold = std::move(s.threshold),

@@ -2,7 +2,7 @@
 // factored 19.6 MB, compressed 8.6 MB, full 60 MB. Does not: make slices (slice_bake.h).
 #pragma once
 #include "gpu/resources.h"
-#include "grass/appearance.h"
+#include "grass/image_light.h"
 #include "grass/slice_bake.h"
 #include "grass/slice_settings.h"
 
@@ -17,12 +17,12 @@ struct SliceTextures {
     int slices = 0, layers = 0;                      // along an axis; of the vertical images
     float top = 0, reflectScale = 1;
     float farDepth = 0;  // optical depth of the horizontal slice: what its mean opacity is 1 - exp of
-    FarImage farImage;   // of the horizontal slice, for its gains; 260 KB
+    DrawnImages means;   // for gains
     // Bytes of the textures, levels included, as the GPU's ledger counts them.
     size_t bytes() const;
 };
 // An empty owner: those textures are not wanted.
 SliceTextures uploadSlices(Gpu& gpu, const std::string& owner, const std::string& farOwner, const SliceImages& images,
-                           Storage storage, SliceSets sets = SliceSets::Each);
+                           Storage storage, SliceSets sets = SliceSets::Each, const SliceStand& stand = {});
 
 }  // namespace sward

@@ -11,6 +11,7 @@
 #include "grass/cells.h"
 #include "grass/field.h"
 #include "grass/grass_fields.h"
+#include "grass/raytraced_settings.h"
 #include "grass/slice_file.h"
 #include "grass/slice_gains.h"
 #include "shared/slices.h"
@@ -41,17 +42,39 @@ bool slicesAreShaded(const FeatureSet& features) {
     return has(features, Feature::BladeShadows) && has(features, Feature::CastingLights);
 }
 
+// Steeper than `steepest` one would look between slices.
+SliceStand standOf(const GrownField& f, float height) {
+    const auto& images = f.of->settings<GrassSlices>();
+    SliceStand s;
+    s.across = f.grows().cellSize, s.apart = s.across / static_cast<float>(images.slices);
+    s.steepest = 0.6f * height / s.apart;
+    s.sharpness = images.sharpness;
+    s.traced = f.draws(Feature::GrassRaytraced) || f.draws(Feature::GrassOnMeshes);
+    if (!s.traced) return s;
+    const auto& rays = f.of->settings<RaytracedGrass>();
+    s.steps = rays.steps, s.footprint = rays.footprint, s.restShown = rays.rest == RayRest::Mean;
+    return s;
+}
+
 void upload(DrawContext& ctx, const GrownField& f, GrownSpecies& s, uint64_t key, const SliceImages& images) {
-    const bool vertical = showsVertical(f);
-    s.slices = uploadSlices(ctx.gpu, vertical ? kOwner : "", kFarOwner, images, f.of->settings<GrassSlices>().storage,
-                            f.of->settings<GrassSlices>().sets);
+    const auto& how = f.of->settings<GrassSlices>();
+    s.slices = uploadSlices(ctx.gpu, showsVertical(f) ? kOwner : "", kFarOwner, images, how.storage, how.sets,
+                            standOf(f, s.look.height));
     s.sliceKey = key;
 }
 
+// Of how they are looked at; their height is their patch's.
+uint64_t standKey(const GrownField& f) {
+    const SliceStand s = standOf(f, 1);
+    const float read[] = {s.sharpness, s.traced ? 1.0f : 0.0f, static_cast<float>(s.steps), s.footprint,
+                          s.restShown ? 1.0f : 0.0f};
+    return hashBytes(read, sizeof(read));
+}
 // Which textures the species should have: what they are made from, and how they are stored.
 uint64_t textureKey(const GrownField& f, uint64_t slices) {
     const uint64_t parts[] = {slices, static_cast<uint64_t>(f.of->settings<GrassSlices>().storage),
-                              static_cast<uint64_t>(f.of->settings<GrassSlices>().sets), showsVertical(f) ? 1u : 0u};
+                              static_cast<uint64_t>(f.of->settings<GrassSlices>().sets), showsVertical(f) ? 1u : 0u,
+                              standKey(f)};
     return hashBytes(parts, sizeof(parts));
 }
 
@@ -463,7 +486,7 @@ SliceGlobals sliceGlobalsOf(const DrawContext& ctx, const Field& field, size_t i
     g.farTexels = static_cast<float>(s.slices.farReflectance.width);
     g.sunWeights = imageWeights(ctx.globals.sunDirection, weightingOf(images));
     g.ambient = s.gains.sliceAmbient, g.farAmbient = s.gains.farAmbient;
-    g.steepest = 0.6f * s.look.height * static_cast<float>(s.slices.slices) / f.cellSize;
+    g.steepest = s.slices.means.stand.steepest;
     const glm::vec3 clumps = clumpStrengths(sp);
     g.clumpSize = sp.clumpSize, g.clumpLean = clumps.x, g.clumpHeight = clumps.y, g.clumpLightness = clumps.z;
     g.leanAtFull = leanAtFull(sp);

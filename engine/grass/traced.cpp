@@ -9,10 +9,12 @@ namespace {
 
 // Of one elevation of the light.
 std::array<glm::vec3, TRACED_TERMS> termsFor(const TracedFactors& traced, float sinElevation) {
-    const glm::vec3 by = f32::tracedRise(sinElevation);
+    const float at = f32::tracedLightAt(sinElevation);
+    const size_t low = std::min(static_cast<size_t>(at), static_cast<size_t>(TRACED_LIGHTS - 2));
     std::array<glm::vec3, TRACED_TERMS> out{};
-    for (size_t i = 0; i < traced.direct.size(); ++i)
-        out[i % TRACED_TERMS] += by[static_cast<int>(i / TRACED_TERMS)] * traced.direct[i];
+    for (size_t i = 0; i < out.size(); ++i)
+        out[i] = glm::mix(traced.direct[TRACED_TERMS * low + i], traced.direct[TRACED_TERMS * (low + 1) + i],
+                          at - static_cast<float>(low));
     return out;
 }
 
@@ -109,7 +111,8 @@ float soilScattered(const TracedLight& traced, float sinElevation) {
 
 void setTraced(SpeciesGlobals& g, const TracedLight* traced, const glm::vec3& sun) {
     TracedFactors none;
-    none.direct[0] = none.sky[0] = none.ground[0] = glm::vec3(1);
+    none.sky[0] = none.ground[0] = glm::vec3(1);
+    for (size_t i = 0; i < none.direct.size(); i += TRACED_TERMS) none.direct[i] = glm::vec3(1);
     const TracedFactors& t = traced ? traced->blades : none;
     const auto numbers = termsFor(t, sun.y);
     for (size_t i = 0; i < TRACED_DIRECT; ++i) g.traced[i] = glm::vec4(t.direct[i], 0);

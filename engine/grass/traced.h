@@ -19,8 +19,8 @@ namespace sward {
 
 // Directions that rays were traced for: sines of elevations of the eye, those that gains of slices are for, and of the
 // light; angles between their level parts, closest to what is lit.
-inline constexpr int kTracedViews = 5, kTracedLights = 7, kTracedTurns = 10;
-inline constexpr float kViewSines[kTracedViews]{0.04f, 0.16f, 0.36f, 0.64f, 0.98f};
+inline constexpr int kTracedViews = 6, kTracedLights = TRACED_LIGHTS, kTracedTurns = 10;
+inline constexpr float kViewSines[kTracedViews]{0.04f, 0.16f, 0.36f, 0.6f, 0.8f, 0.98f};
 inline constexpr float kLightSines[kTracedLights]{0.1f, 0.2f, 0.35f, 0.5f, 0.65f, 0.8f, 0.99f};
 inline constexpr float kTurns[kTracedTurns]{0, 0.1f, 0.3f, 0.6f, 0.95f, 1.3f, 1.7f, 2.2f, 2.7f, 3.1415927f};
 

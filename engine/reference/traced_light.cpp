@@ -19,7 +19,7 @@
 namespace sward {
 namespace {
 
-constexpr uint32_t kVersion = 7;  // of the method: another one gives other factors
+constexpr uint32_t kVersion = 9;  // of the method: another one gives other factors
 constexpr int kRays = 2000;       // that meet a blade, a view
 constexpr int kParts = 16;        // of a view's rays, each with its own sums, so that any number of threads adds alike
 constexpr int kMostBounces = 12;
@@ -264,19 +264,15 @@ struct Fit {
     }
 };
 
-std::array<double, TRACED_DIRECT> termsOf(float view, float light, float turn) {
+// What a factor is a sum of, for one elevation of the light; the glow is the last.
+std::array<double, TRACED_TERMS> termsOf(float view, float light, float turn) {
     const f32::TracedTerms t = f32::tracedTerms(raised(0, view), raised(turn, light));
-    const glm::vec3 by = f32::tracedRise(light);
-    std::array<double, TRACED_DIRECT> out{};
-    for (int k = 0; k < 3; ++k) {
-        const auto from = static_cast<size_t>(TRACED_TERMS * k);
-        out[from + 6] = static_cast<double>(by[k] * t.near2);
-        out[from + 7] = static_cast<double>(by[k] * t.glow);
-        for (int i = 0; i < 3; ++i) {
-            out[from + static_cast<size_t>(i)] = static_cast<double>(by[k] * t.rise[i]);
-            out[from + static_cast<size_t>(i) + 3] = static_cast<double>(by[k] * t.across[i]);
-        }
+    std::array<double, TRACED_TERMS> out{};
+    for (int i = 0; i < 3; ++i) {
+        out[static_cast<size_t>(i)] = static_cast<double>(t.rise[i]);
+        out[static_cast<size_t>(i) + 3] = static_cast<double>(t.across[i]);
     }
+    out[6] = static_cast<double>(t.near2), out[7] = static_cast<double>(t.glow);
     return out;
 }
 
@@ -290,8 +286,14 @@ std::array<glm::vec3, TRACED_RISE> fitRise(const std::array<TracedSums, kTracedV
     return fit.solve();
 }
 
-std::array<glm::vec3, TRACED_DIRECT> fitDirect(const TracedTable& table) {
-    Fit<TRACED_DIRECT> fit;
+// A quotient of the table, and how much it counts: by what local light says.
+struct Seen {
+    int light, view, turn;
+    glm::dvec3 quotient;
+    double weight;
+};
+std::vector<Seen> quotientsOf(const TracedTable& table) {
+    std::vector<Seen> out;
     for (int light = 0; light < kTracedLights; ++light) {
         const auto sumsOf = [&](int view, int turn) -> const TracedSums& {
             return table.direct[static_cast<size_t>(view)][static_cast<size_t>(light * kTracedTurns + turn)];
@@ -300,15 +302,56 @@ std::array<glm::vec3, TRACED_DIRECT> fitDirect(const TracedTable& table) {
         for (int view = 0; view < kTracedViews; ++view)
             for (int turn = 0; turn < kTracedTurns; ++turn)
                 mean += sumsOf(view, turn).local.y / (kTracedViews * kTracedTurns);
-        if (!(mean > 0)) continue;
-        for (int view = 0; view < kTracedViews; ++view)
+        for (int view = 0; view < kTracedViews && mean > 0; ++view)
             for (int turn = 0; turn < kTracedTurns; ++turn) {
                 const TracedSums& s = sumsOf(view, turn);
-                fit.add(termsOf(kViewSines[view], kLightSines[light], kTurns[turn]),
-                        s.full / glm::max(s.local, glm::dvec3(1e-9)), s.local.y / mean);
+                out.push_back({light, view, turn, s.full / glm::max(s.local, glm::dvec3(1e-9)), s.local.y / mean});
             }
     }
-    return fit.solve();
+    return out;
+}
+
+// The glow about each elevation of the light: a few directions of each see it, so that it is fitted with all of them,
+// as a polynomial of the elevation like the rest.
+std::array<glm::vec3, TRACED_LIGHTS> fitGlow(const std::vector<Seen>& seen) {
+    Fit<TRACED_TERMS * TRACED_RISE> fit;
+    for (const Seen& s : seen) {
+        const auto terms = termsOf(kViewSines[s.view], kLightSines[s.light], kTurns[s.turn]);
+        const glm::vec3 by = f32::tracedRise(kLightSines[s.light]);
+        std::array<double, TRACED_TERMS * TRACED_RISE> all{};
+        for (size_t i = 0; i < all.size(); ++i)
+            all[i] = static_cast<double>(by[static_cast<int>(i / TRACED_TERMS)]) * terms[i % TRACED_TERMS];
+        fit.add(all, s.quotient, s.weight);
+    }
+    const auto numbers = fit.solve();
+    std::array<glm::vec3, TRACED_LIGHTS> out{};
+    for (size_t light = 0; light < out.size(); ++light)
+        for (size_t k = 0; k < TRACED_RISE; ++k)
+            out[light] +=
+                f32::tracedRise(kLightSines[light])[static_cast<int>(k)] * numbers[TRACED_TERMS * k + TRACED_TERMS - 1];
+    return out;
+}
+
+// Each elevation of the light has its own numbers.
+std::array<glm::vec3, TRACED_DIRECT> fitDirect(const TracedTable& table) {
+    constexpr size_t kBeside = TRACED_TERMS - 1;
+    const std::vector<Seen> seen = quotientsOf(table);
+    const auto glow = fitGlow(seen);
+    std::array<Fit<kBeside>, TRACED_LIGHTS> fits;
+    for (const Seen& s : seen) {
+        const auto terms = termsOf(kViewSines[s.view], kLightSines[s.light], kTurns[s.turn]);
+        std::array<double, kBeside> beside{};
+        std::copy_n(terms.begin(), kBeside, beside.begin());
+        const auto light = static_cast<size_t>(s.light);
+        fits[light].add(beside, s.quotient - terms[kBeside] * glm::dvec3(glow[light]), s.weight);
+    }
+    std::array<glm::vec3, TRACED_DIRECT> out{};
+    for (size_t light = 0; light < TRACED_LIGHTS; ++light) {
+        const auto numbers = fits[light].solve();
+        std::copy(numbers.begin(), numbers.end(), out.begin() + static_cast<std::ptrdiff_t>(TRACED_TERMS * light));
+        out[TRACED_TERMS * light + kBeside] = glow[light];
+    }
+    return out;
 }
 
 // What paths have seen of a view, on average.

@@ -42,7 +42,8 @@ SliceSpot spotHere() {
     s.visible = sunVisible(at, vec3(0.0));
     s.images = images;
     s.lightLayer = lightLayer;
-    s.gain = gain, s.brighter = brighter, s.ambient = ambient;
+    float even = sliceLevel(fine);
+    s.gain = gain * even, s.brighter = brighter, s.ambient = ambient * even;
     s.lamp = lamp;
     if (LAMPS && WEIGHTS_PER_PIXEL) lampsOnImages(at, axes, kLevel, kOnGround, s.lamp);
     s.fine = fine;

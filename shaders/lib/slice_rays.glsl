@@ -175,7 +175,8 @@ vec3 lightOf(Met m, Shell shell, vec3 at, float fine, float pixel, vec4 stored) 
     s.visible = sunAt(m, shell);
     s.images = sunImages(shell.sun, axis, side, mirror);
     s.lightLayer = side > 0.0 ? 0.0 : float(slices.layers);
-    s.gain = shell.gain, s.brighter = shell.brighter, s.ambient = shell.ambient;
+    float even = sliceLevel(fine);
+    s.gain = shell.gain * even, s.brighter = shell.brighter, s.ambient = shell.ambient * even;
     for (int c = 0; c < 3; ++c) s.lamp[c] = vec4(0.0);
     if (LAMPS) lampsOnImages(at, vec4(side, mirror, float(axis)), shell.toField, shell.raise, s.lamp);
     s.fine = fine;

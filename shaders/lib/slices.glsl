@@ -36,7 +36,7 @@ float eighths(vec2 d) {
 }
 LookTap lookTap(vec3 toEye) {
     float turn = eighths(toEye.xz);
-    float high = sqrt(clamp(toEye.y, 0.0, 1.0)) * float(LOOK_ELEVATIONS - 1);
+    float high = lookHeight(toEye) * float(LOOK_ELEVATIONS - 1);
     int a = min(int(turn), LOOK_AZIMUTHS - 1), b = (a + 1) % LOOK_AZIMUTHS, low = min(int(high), LOOK_ELEVATIONS - 2);
     float fa = turn - float(a), fh = high - float(low);
     LookTap t;
@@ -91,13 +91,15 @@ vec3 farGain(vec3 toEye, vec2 lean, float press, float density) {
         full * mixGains(t, thinAt(t), slices.gainScale.w) / max(mixGains(t, dense, slices.gainScale.y), vec3(1e-4));
     return mix(thin, full, clamp(1.0 + log2(max(density, 1e-3)) / log2(float(THIN_DENSITY)), 0.0, 1.0));
 }
-// Factor that makes each level of detail of the horizontal slice's images as bright as the finest: coarse ones mix what
-// faces light and what does not. pixel: how long it is, in cells.
-float farLevel(float pixel) {
-    float level = clamp(log2(pixel * exp2(float(FAR_LEVELS - 1))), 0.0, float(FAR_LEVELS - 1));
-    int fine = int(level), coarse = min(fine + 1, FAR_LEVELS - 1);
-    return mix(slices.farLevels[fine / 4][fine % 4], slices.farLevels[coarse / 4][coarse % 4], level - float(fine));
+// Factor that makes each level of detail of images as bright as the finest: coarse ones mix what faces light and what
+// does not. level: of what is lit; pixel: how long it is, in cells.
+float evenLevel(vec4 factors[2], float level) {
+    float at = clamp(level, 0.0, 7.0);
+    int fine = int(at), coarse = min(fine + 1, 7);
+    return mix(factors[fine / 4][fine % 4], factors[coarse / 4][coarse % 4], at - float(fine));
 }
+float sliceLevel(float level) { return evenLevel(slices.sliceLevels, level); }
+float farLevel(float pixel) { return evenLevel(slices.farLevels, log2(max(pixel * slices.farTexels, 1e-6))); }
 // By how much more light slices send where one looks along it: gains hold for views an eighth of a turn apart. share:
 // as `hotSpot` of SliceGlobals.
 vec3 hotSpot(vec3 share, vec3 toEye, vec3 towards) {
@@ -111,7 +113,7 @@ vec2 lampGain(vec3 toEye, vec3 towards) {
     vec2 level = vec2(length(toEye.xz), length(towards.xz));
     float cosine = dot(toEye.xz, towards.xz) / max(level.x * level.y, 1e-6);
     vec3 size = vec3(LAMP_AZIMUTHS, LAMP_ELEVATIONS, LAMP_ELEVATIONS),
-         at = vec3(0.5 - 0.5 * clamp(cosine, -1.0, 1.0), sqrt(clamp(vec2(toEye.y, towards.y), 0.0, 1.0)));
+         at = vec3(0.5 - 0.5 * clamp(cosine, -1.0, 1.0), lookHeight(toEye), lookHeight(towards));
     float share = max(dot(slices.lampHotSpot, tracedRise(towards.y)), 0.0);
     return textureLod(lampGains, (at * (size - 1.0) + 0.5) / size, 0.0).rg * hotSpot(vec3(share), toEye, towards).x;
 }

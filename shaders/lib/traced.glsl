@@ -9,12 +9,15 @@
 vec3 tracedLamp(vec3 toEye, vec3 towards, float density) {
     if (!GRASS_TRACED) return vec3(1.0);
     TracedTerms t = tracedTerms(toEye, towards);
-    vec3 by = tracedRise(towards.y), sum = vec3(0.0);
-    for (int k = 0; k < 3; ++k) {
-        int from = TRACED_TERMS * k;
-        sum += by[k] * (t.near2 * species.traced[from + 6].rgb + t.glow * species.traced[from + 7].rgb);
+    vec3 sum = vec3(0.0);
+    float at = tracedLightAt(towards.y);
+    int low = min(int(at), TRACED_LIGHTS - 2);
+    for (int k = 0; k < 2; ++k) {
+        int from = TRACED_TERMS * (low + k);
+        vec3 here = t.near2 * species.traced[from + 6].rgb + t.glow * species.traced[from + 7].rgb;
         for (int i = 0; i < 3; ++i)
-            sum += by[k] * (species.traced[from + i].rgb * t.rise[i] + species.traced[from + 3 + i].rgb * t.across[i]);
+            here += species.traced[from + i].rgb * t.rise[i] + species.traced[from + 3 + i].rgb * t.across[i];
+        sum += here * (k == 0 ? float(low + 1) - at : at - float(low));
     }
     return mix(vec3(1.0), max(sum, vec3(0.0)), tracedShare(density, species.area.x));
 }

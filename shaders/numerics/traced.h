@@ -9,6 +9,19 @@ FN vec3 tracedRise(real y) {
     real up = clamp(y, real(0.0), real(1.0));
     return vec3(real(1.0), up, up * up);
 }
+// How high a direction above the horizon (unit) lies among those that looks are tabulated for: 0 level, 1 upright. Even
+// steps of it are fine where grass changes most: near the ground, and where one begins to look down into it.
+FN real lookHeight(vec3 towards) {
+    real level = length(vec2(towards.x, towards.z));
+    return sqrt(clamp(real(0.5) * (towards.y + real(1.0) - level), real(0.0), real(1.0)));
+}
+// Where a light of this sine of its elevation lies among the seven for which factors are kept: 0 to 6, straight
+// between.
+FN real tracedLightAt(real sine) {
+    if (sine < real(0.2)) return clamp((sine - real(0.1)) / real(0.1), real(0.0), real(1.0));
+    if (sine < real(0.8)) return real(1.0) + (sine - real(0.2)) / real(0.15);
+    return real(5.0) + clamp((sine - real(0.8)) / real(0.19), real(0.0), real(1.0));
+}
 // Share of a factor that holds at a density in [0, 1]; area: of blades towards a level view at density 1, m2 a m2 of
 // ground. Grass so deep that one cannot see through it has all of it at any density: only lengths are others there.
 FN real tracedShare(real density, real area) {

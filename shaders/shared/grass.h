@@ -2,10 +2,11 @@
 // the choice of cells (cells.h).
 #pragma once
 #include "shared/types.h"
-#define MAX_SPECIES 16  // of a field
-#define TRACED_RISE 3   // numbers by elevation alone
-#define TRACED_TERMS 8  // and by the way that light and eye stand to each other, of one elevation of the light
-#define TRACED_DIRECT 24
+#define MAX_SPECIES 16   // of a field
+#define TRACED_RISE 3    // numbers by elevation alone
+#define TRACED_TERMS 8   // and by the way that light and eye stand to each other, of one elevation of the light
+#define TRACED_LIGHTS 7  // elevations of the light (tracedLightAt)
+#define TRACED_DIRECT 56
 #ifdef __cplusplus
 namespace sward {
 #endif
@@ -43,7 +44,7 @@ struct STD140 FieldGlobals {
 
 // What shaders of one species' blades read.
 struct STD140 SpeciesGlobals {
-    vec4 traced[TRACED_DIRECT];      // of numerics/traced.h: of direct light, by the light's elevation, then terms
+    vec4 traced[TRACED_DIRECT];      // of numerics/traced.h: of direct light, elevation by elevation of the light
     vec4 tracedSun[TRACED_TERMS];    // of the sun's light
     vec4 tracedSky[TRACED_RISE];     // of the sky's
     vec4 tracedGround[TRACED_RISE];  // of light from below

@@ -1,13 +1,14 @@
 // What slices of a species are drawn with (grass/slices.h). Does not: hold their images.
 #pragma once
 #include "shared/types.h"
-// Views for which grass's mean looks are tabulated: azimuths around, elevations from level to the zenith (sine =
-// (i/(n-1))^2).
+// Views for which grass's mean looks are tabulated: azimuths around, elevations from level to the zenith (lookHeight of
+// numerics/traced.h).
 #define LOOK_AZIMUTHS 8
-#define LOOK_ELEVATIONS 6
-#define LOOK_VIEWS 48
-#define FAR_LEVELS 7      // of the horizontal slice's images, from one of 64 texels along an axis on
-#define LOOK_QUARTERS 12  // a quarter of them
+#define LOOK_ELEVATIONS 8
+#define LOOK_VIEWS 64
+#define FAR_LEVELS 8      // of the horizontal slice's images, from the finest on: coarser ones are as the last
+#define SLICE_LEVELS 8    // of vertical slices' images likewise
+#define LOOK_QUARTERS 16  // a quarter of them
 #define THIN_DENSITY 8    // 1 / the density of SliceGlobals::thin
 // Texels of the image of lamps' gains: x, (1 - cosine of the azimuth between eye and light) / 2; y and z, elevations of
 // eye and light as above.
@@ -43,13 +44,14 @@ struct STD140 SliceGlobals {
     vec4 sunWeights;            // of the images x+, y, z+, x-; z- is what is left to 1
     vec4 gainScale;             // greatest factor of LookGain's across, above and laid, and of `thin`
     uvec4 thin[LOOK_QUARTERS];  // a number a view: as LookGain's above, at a density of 1 / THIN_DENSITY
-    vec4 farLevels[2];  // by level: by how much brighter it is drawn than it says, so that all are as bright as the
-                        // first
-    vec3 ambient;       // light from all around that vertical slices receive
-    float fade;         // omega of numerics/opacity.h
-    vec3 farAmbient;    // that the horizontal slice receives
-    float steepest;     // tangent of the elevation above which vertical slices give way
-    vec3 hotSpot;       // by what share the sun's light is brighter where one looks along it (tracedGlow)
+    vec4 farLevels[2];    // by level: by how much brighter it is drawn than it says, so that all are as bright as the
+                          // first
+    vec4 sliceLevels[2];  // of vertical slices, by the level of what is lit
+    vec3 ambient;         // light from all around that vertical slices receive
+    float fade;           // omega of numerics/opacity.h
+    vec3 farAmbient;      // that the horizontal slice receives
+    float steepest;       // tangent of the elevation above which vertical slices give way
+    vec3 hotSpot;         // by what share the sun's light is brighter where one looks along it (tracedGlow)
     uint seed;
     vec3 lampHotSpot;      // the same of lamps: numbers of a polynomial by their elevation (tracedRise)
     int species;           // index in FieldGlobals

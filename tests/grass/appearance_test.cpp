@@ -31,6 +31,25 @@ Look facingX() {
     return lookOf(s, p);
 }
 
+// Their images: on slices across x they face whoever sees them; slices across z have them edge on.
+DrawnImages imagesFacingX() {
+    DrawnImages out;
+    const SliceTexel texel{{0.1f, 0.2f, 0.05f}, 1, 1, {1, 0, 0, 0}, {1, 0, 0, 0}};
+    for (SliceRows& level : out.standing.levels) level[0].fill({{texel}, 1, 1});
+    out.standing.top = 0.2f, out.stand.apart = 0.05f;
+    out.far.fill({{texel.color, 1, {}, 0, 0}});
+    return out;
+}
+DrawnImages imagesOf(const Species& s) {
+    SliceSpec spec;
+    spec.species = s;
+    spec.slices = 4, spec.width = 32, spec.height = 16, spec.farSize = 32;
+    spec.blade = whiteBlade();
+    JobControl control;
+    return drawnImagesOf(*bakeSlices(spec, control), true, SliceSets::Each, {.apart = 0.125f});
+}
+Gains gainsFor(const Species& s, const FieldLight& light) { return gainsOf(lookOf(s), light, imagesOf(s)); }
+
 FieldLight lit(const glm::vec3& direction, LightWeighting weighting, const glm::vec3& ambient = glm::vec3(0)) {
     FieldLight l;
     l.sky = ambient, l.ground = ambient;
@@ -63,14 +82,14 @@ TEST(Appearance, GainsAreOneWhereSlicesAreExact) {
     const Look look = facingX();
     for (const LightWeighting form : {LightWeighting::Cosine, LightWeighting::Atan, LightWeighting::Poly9})
         for (const glm::vec3& light : {glm::vec3(1, 0, 0), glm::vec3(-1, 0, 0)}) {
-            const Gains g = gainsOf(look, lit(light, form));
+            const Gains g = gainsOf(look, lit(light, form), imagesFacingX());
             for (const int view : {0, LOOK_AZIMUTHS / 2}) {  // level, from where the light comes and from behind
                 const glm::vec4& gain = g.slices[static_cast<size_t>(view)];
                 const bool dark = (light.x > 0) != (view == 0);  // no light on either: nothing to compare
                 if (!dark) EXPECT_NEAR(gain.y, 1, 0.03f) << static_cast<int>(form) << " view " << view;
             }
         }
-    const Gains ambient = gainsOf(look, {.sky = glm::vec3(1), .ground = glm::vec3(1)});
+    const Gains ambient = gainsOf(look, {.sky = glm::vec3(1), .ground = glm::vec3(1)}, imagesFacingX());
     for (int azimuth = 0; azimuth < LOOK_AZIMUTHS; ++azimuth)
         if (azimuth % (LOOK_AZIMUTHS / 2) != LOOK_AZIMUTHS / 4)  // edge-on nothing is seen
             EXPECT_NEAR(ambient.slices[static_cast<size_t>(azimuth)].y, 1, 0.03f) << azimuth;
@@ -79,8 +98,9 @@ TEST(Appearance, GainsAreOneWhereSlicesAreExact) {
 TEST(Appearance, CosineFormIsExactForLightFromAnywhereOnOneBlade) {
     const Look look = facingX();
     for (const glm::vec3& light : {glm::vec3(1, 0.5f, 0), glm::vec3(1, 2, 0.5f), glm::vec3(0.3f, 0.4f, -1)}) {
-        EXPECT_NEAR(gainsOf(look, lit(light, LightWeighting::Cosine)).slices[0].y, 1, 0.03f) << light.y;
-        EXPECT_GT(gainsOf(look, lit({1, 1, 0}, LightWeighting::Atan)).slices[0].y, 1.2f)
+        EXPECT_NEAR(gainsOf(look, lit(light, LightWeighting::Cosine), imagesFacingX()).slices[0].y, 1, 0.03f)
+            << light.y;
+        EXPECT_GT(gainsOf(look, lit({1, 1, 0}, LightWeighting::Atan), imagesFacingX()).slices[0].y, 1.2f)
             << "interpolated, it is too dark between the images";
     }
 }
@@ -89,12 +109,13 @@ TEST(Appearance, GainsAreFiniteForLightsAnywhere) {
     Species s;
     s.translucency = 0.5f;
     const Look look = lookOf(s);
+    const DrawnImages images = imagesOf(s);
     for (const LightWeighting form : kForms)
         for (const glm::vec3& direction : kHard) {
             if (glm::length(direction) < 1e-10f) continue;
             FieldLight l = lit(direction, form, glm::vec3(0.3f));
             l.translucency = 0.5f, l.gloss = 1, l.lean = 0.3f;
-            const Gains g = gainsOf(look, l);
+            const Gains g = gainsOf(look, l, images);
             for (const auto* gains : {&g.slices, &g.far})
                 for (const glm::vec4& v : *gains)
                     for (int c = 0; c < 4; ++c) {
@@ -114,7 +135,7 @@ TEST(Appearance, ThinGrassShowsMoreOfWhatStandsLow) {
     const auto thinByFull = [&] {
         FieldLight l{.sky = glm::vec3(1), .ground = glm::vec3(1)};
         l.painted = true;
-        const Gains g = gainsOf(lookOf(s), l);
+        const Gains g = gainsFor(s, l);
         return g.thin[low].y / g.far[low].y;
     };
     s.rootColor = s.midColor = s.tipColor = glm::vec3(0.2f), s.rootOcclusion = 0;
@@ -122,7 +143,7 @@ TEST(Appearance, ThinGrassShowsMoreOfWhatStandsLow) {
     s.rootColor = glm::vec3(0.02f), s.midColor = glm::vec3(0.1f);
     EXPECT_LT(thinByFull(), 0.85f * plain);
     FieldLight unpainted{.sky = glm::vec3(1), .ground = glm::vec3(1)};
-    EXPECT_EQ(gainsOf(lookOf(s), unpainted).thin[low], glm::vec4(1, 1, 1, 0)) << "nobody asks for it";
+    EXPECT_EQ(gainsFor(s, unpainted).thin[low], glm::vec4(1, 1, 1, 0)) << "nobody asks for it";
 }
 
 TEST(Appearance, ASpeciesWithoutBladesHasASoundLook) {
@@ -131,8 +152,7 @@ TEST(Appearance, ASpeciesWithoutBladesHasASoundLook) {
     const Look look = lookOf(s);
     EXPECT_EQ(look.across, 0);
     EXPECT_FLOAT_EQ(lightLeft(look, 0.5f), 1);
-    for (const glm::vec4& v : gainsOf(look, lit({1, 1, 0}, LightWeighting::Atan)).slices)
-        EXPECT_TRUE(std::isfinite(v.x));
+    for (const glm::vec4& v : gainsFor(s, lit({1, 1, 0}, LightWeighting::Atan)).slices) EXPECT_TRUE(std::isfinite(v.x));
 }
 
 TEST(Appearance, PaintTowardsTheLightAndAwayFromItChangesBrightnessOppositely) {
@@ -140,7 +160,7 @@ TEST(Appearance, PaintTowardsTheLightAndAwayFromItChangesBrightnessOppositely) {
     l.lean = 0.5f;
     Species s;
     s.bend = 0, s.leanDeg = 25, s.leanVariationDeg = 0;
-    const Gains g = gainsOf(lookOf(s), l);
+    const Gains g = gainsFor(s, l);
     float most = 0;
     for (int view = 0; view < LOOK_VIEWS; ++view) {
         const float change = std::abs(g.slices[static_cast<size_t>(view)].w) * l.lean;
@@ -149,7 +169,7 @@ TEST(Appearance, PaintTowardsTheLightAndAwayFromItChangesBrightnessOppositely) {
     }
     EXPECT_GT(most, 0.02f) << "painted lean along the light changes nothing";
     l.lean = 0;
-    EXPECT_EQ(gainsOf(lookOf(s), l).slices[0].w, 0) << "nothing is painted";
+    EXPECT_EQ(gainsFor(s, l).slices[0].w, 0) << "nothing is painted";
 }
 
 TEST(Appearance, LightLeftIsAShareAndLessTheDenserAndTheLowerTheLight) {

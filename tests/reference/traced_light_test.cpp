@@ -84,7 +84,8 @@ TEST(TracedLightOf, IsTheSameEachTime) {
 
 TEST(TracedLightOf, ATableThatIsAPolynomialIsFittedByIt) {
     TracedFactors want;
-    for (size_t i = 0; i < want.direct.size(); ++i) want.direct[i] = glm::vec3(i == 0 ? 1.0f : 0.03f * float(i % 5));
+    for (size_t i = 0; i < want.direct.size(); ++i)
+        want.direct[i] = glm::vec3(i % TRACED_TERMS == 0 ? 1.0f : 0.03f * float(i % TRACED_TERMS % 5));
     want.sky = {glm::vec3(1.8f), glm::vec3(-0.6f), glm::vec3(0.1f)}, want.ground = {glm::vec3(0.2f), {}, glm::vec3(1)};
     TracedTable t;
     for (int v = 0; v < kTracedViews; ++v) {
