@@ -213,6 +213,19 @@ void addLevels(const DrawnImages& images, const FieldLight& light, Gains& out) {
     for (size_t i = 0; i < SLICE_LEVELS; ++i) out.sliceLevels[i] = quotient(first, shown(i));
 }
 
+// By how much brighter slices are drawn that stand for a few of the blades: they show what stands lower.
+void addThinner(const DrawnImages& images, const RowsSend& rows, Gains& out) {
+    SliceStand few = images.stand;
+    few.density = kThinDensity;
+    for (size_t i = 0; i < LOOK_ELEVATIONS; ++i) {
+        const glm::vec3 e = directionOf(0.4f, static_cast<float>(i) / (LOOK_ELEVATIONS - 1));
+        const auto shown = [&](const SliceStand& stand) {
+            return luminance(sentAlong(sharesSeen(images.standing, kShownLevel, e, stand), rows, e));
+        };
+        out.thinner[i] = quotient(shown(images.stand), shown(few));
+    }
+}
+
 // Lean of a blade towards x and against it, towards z and against it.
 std::array<std::vector<Posed>, 4> leantWays(const Look& look, float lean) {
     std::array<std::vector<Posed>, 4> out;
@@ -296,6 +309,7 @@ Gains gainsOf(const Look& look, const FieldLight& light, const DrawnImages& imag
     const auto standing = posed(look, glm::vec2(0), look.clumpLean);
     const glm::vec3 far = imageSends(images.far[0], light, out.farAmbient);
     const RowsSend rows = rowsSend(images.standing, kShownLevel, light, out.sliceAmbient, kRowTexels);
+    addThinner(images, rows, out);
     for (size_t i = 0; i < LOOK_VIEWS; ++i) {
         const glm::vec3 e = viewOf(static_cast<int>(i)), aim = aimAlong(light, standing, e);
         const RowShares shares = sharesSeen(images.standing, kShownLevel, e, images.stand);

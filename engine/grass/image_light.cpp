@@ -199,6 +199,7 @@ struct SliceSight {
     glm::vec2 turned;  // share of them that shows
     int steps;         // of a ray
     bool rest;
+    float density;
     float deepest;  // metres down to the slice that stands for the rest, at most
 };
 // The pixel for which this level is lit is the wider the fewer texels of it there are.
@@ -219,16 +220,21 @@ SliceSight sightOf(const StandingImage& image, size_t level, const glm::vec3& e,
             std::min(s.steepest * size / y, 1.0f) * across / size,
             stepsAt(image, level, s),
             s.restShown,
+            s.density,
             s.across * y};
 }
 size_t rowAt(const SliceSight& s, float depth) {
     return static_cast<size_t>(std::clamp(1 - depth / s.top, 0.0f, 0.999f) * kSliceRows);
 }
+// The mean opacity of a row where slices stand for some of the blades.
+float opacityOf(const SliceSight& s, const SliceRow& row) {
+    return s.density == 1 ? row.opacity : 1 - std::pow(1 - row.opacity, s.density);
+}
 // What lies below the last slice that a ray comes to, as one slice more.
 void meetRest(const SliceSight& s, int axis, float depth, Walked& w) {
     const float left = s.top - depth, shown = 1 + left * (s.turned.x / s.falls.x + s.turned.y / s.falls.y);
     const auto a = static_cast<size_t>(axis), at = rowAt(s, depth + 0.5f * std::min(left, s.deepest));
-    w.meet({a, at, 0}, 1 - std::pow(1 - s.rows[a][at].opacity, std::min(shown, 64.0f)));
+    w.meet({a, at, 0}, 1 - std::pow(1 - opacityOf(s, s.rows[a][at]), std::min(shown, 64.0f)));
 }
 // A ray down through the slices, over their rows by chance.
 Walked walk(const SliceSight& s, uint32_t ray) {
@@ -247,7 +253,8 @@ Walked walk(const SliceSight& s, uint32_t ray) {
         below[axis] += s.falls[axis];
         const auto a = static_cast<size_t>(axis), at = rowAt(s, depth);
         const SliceRow& row = s.rows[a][at];
-        if (row.covered > 0 && chance() * row.covered < row.opacity) w.meet({a, at, 0}, row.covered * s.turned[axis]);
+        if (row.covered > 0 && chance() * row.covered < opacityOf(s, row))
+            w.meet({a, at, 0}, row.covered * s.turned[axis]);
     }
     return w;
 }

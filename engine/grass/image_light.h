@@ -49,6 +49,7 @@ struct SliceStand {
     float apart = 0;     // metres from slice to slice
     float across = 1;    // metres that an image covers along the slice: a cell
     float steepest = 1;  // as SliceGlobals has it
+    float density = 1;   // share of the blades for which slices stand
     bool traced = false;
     int steps = 0;           // of rays, at most
     float footprint = 0;     // as RaytracedGrass has it

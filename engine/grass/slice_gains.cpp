@@ -110,9 +110,10 @@ uint32_t packedGain(const glm::vec4& factor, float scale) {
 void setGains(SliceGlobals& g, bool conserving, Gains gains) {
     if (!conserving)
         for (auto* factors : {&gains.slices, &gains.far, &gains.thin, &gains.laid}) factors->fill({1, 1, 1, 0});
-    if (!conserving) gains.farLevels.fill(1), gains.sliceLevels.fill(1);
+    if (!conserving) gains.farLevels.fill(1), gains.sliceLevels.fill(1), gains.thinner.fill(1);
     for (int i = 0; i < FAR_LEVELS; ++i) g.farLevels[i / 4][i % 4] = gains.farLevels[static_cast<size_t>(i)];
     for (int i = 0; i < SLICE_LEVELS; ++i) g.sliceLevels[i / 4][i % 4] = gains.sliceLevels[static_cast<size_t>(i)];
+    for (int i = 0; i < LOOK_ELEVATIONS; ++i) g.thinner[i / 4][i % 4] = gains.thinner[static_cast<size_t>(i)];
     g.hotSpot = conserving ? gains.hotSpot : glm::vec3(0);
     g.lampHotSpot = conserving ? gains.lampHotSpot : glm::vec3(0);
     g.gainScale = {greatest(gains.slices), greatest(gains.far), greatest(gains.laid), greatest(gains.thin)};

@@ -123,7 +123,8 @@ void main() {
     shell.sun = levelSun();
     shell.turned = CONSERVING ? verticalShare(toEye.y) * abs(way.xz) / level : vec2(1.0);
     float plain = p.lighter * darkened(far) * slices.reflectScale;
-    vec3 shown = plain * sliceGain(toEye, p.free, press, false);
+    float share = lodRamp(length(shell.start), slices.minGeom, slices.geomInv);
+    vec3 shown = plain * sharedGain(toEye, share) * sliceGain(toEye, p.free, press, false);
     shell.gain = SUN ? shown * sunsHotSpot(toEye, press) * frame.sunLight * frame.sunIsUp : vec3(0.0);
     shell.ambient = shown * slices.ambient * skyShare(uv);
     shell.brighter = plain * laidGain(lookTap(toEye), press);

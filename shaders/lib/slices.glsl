@@ -100,6 +100,12 @@ float evenLevel(vec4 factors[2], float level) {
 }
 float sliceLevel(float level) { return evenLevel(slices.sliceLevels, level); }
 float farLevel(float pixel) { return evenLevel(slices.farLevels, log2(max(pixel * slices.farTexels, 1e-6))); }
+// Factor of vertical slices that stand for this share of the blades; the others are drawn one by one.
+float sharedGain(vec3 toEye, float share) {
+    if (share >= 1.0) return 1.0;
+    float thin = evenLevel(slices.thinner, lookHeight(toEye) * float(LOOK_ELEVATIONS - 1));
+    return mix(1.0, thin, clamp(-log2(max(share, 1e-3)) / log2(float(THIN_DENSITY)), 0.0, 1.0));
+}
 // By how much more light slices send where one looks along it: gains hold for views an eighth of a turn apart. share:
 // as `hotSpot` of SliceGlobals.
 vec3 hotSpot(vec3 share, vec3 toEye, vec3 towards) {

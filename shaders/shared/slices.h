@@ -46,6 +46,8 @@ struct STD140 SliceGlobals {
     uvec4 thin[LOOK_QUARTERS];  // a number a view: as LookGain's above, at a density of 1 / THIN_DENSITY
     vec4 farLevels[2];    // by level: by how much brighter it is drawn than it says, so that all are as bright as the
                           // first
+    vec4 thinner[2];      // by LOOK_ELEVATIONS: by how much brighter vertical slices are drawn where they stand for
+                          // one blade in THIN_DENSITY: the others, drawn one by one, do not hide what is dark there
     vec4 sliceLevels[2];  // of vertical slices, by the level of what is lit
     vec3 ambient;         // light from all around that vertical slices receive
     float fade;           // omega of numerics/opacity.h
