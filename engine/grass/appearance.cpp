@@ -192,7 +192,7 @@ void addLaidGains(const Look& look, const FieldLight& light, Gains& out) {
     for (int i = 0; i < LOOK_VIEWS; ++i) {
         const auto at = static_cast<size_t>(i);
         const glm::vec3 e = viewOf(i), bright = asBlades(laid, e, open).value();
-        out.laid[at] = glm::vec4(quotient(bright, asBlades(standing, e, light).value()), 0);
+        out.laid[at] = quotient(bright, asBlades(standing, e, light).value());
     }
 }
 
@@ -226,26 +226,36 @@ void addThinner(const DrawnImages& images, const RowsSend& rows, Gains& out) {
     }
 }
 
-// Lean of a blade towards x and against it, towards z and against it.
-std::array<std::vector<Posed>, 4> leantWays(const Look& look, float lean) {
-    std::array<std::vector<Posed>, 4> out;
-    constexpr glm::vec2 kWays[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
-    for (size_t i = 0; i < out.size(); ++i) out[i] = posed(look, lean * kWays[i], look.clumpLean);
+// A few of a look's blades.
+Look fewOf(const Look& look) {
+    constexpr size_t kEach = 3;
+    Look out = look;
+    out.points.clear();
+    for (size_t i = 0; i < look.points.size(); ++i)
+        if (i / kPoints % kEach == 0) out.points.push_back(look.points[i]);
+    for (LookPoint& p : out.points)
+        p.area *= static_cast<float>(look.points.size()) / static_cast<float>(out.points.size());
     return out;
 }
-void addLeans(const Look& look, const FieldLight& light, Gains& out) {
-    const auto standing = posed(look, glm::vec2(0), look.clumpLean);
-    const auto leant = leantWays(look, light.lean);
+// By what share grass brightens as it leans: the polynomial through what leans along x, along z and between do.
+void addLeans(const Look& whole, const FieldLight& light, Gains& out) {
+    const Look look = fewOf(whole);
+    constexpr std::array<glm::vec2, 6> kWays{
+        {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {0.7071f, 0.7071f}, {-0.7071f, -0.7071f}}};
+    const auto standing = posed(look, {0, 0}, look.clumpLean);
+    std::array<std::vector<Posed>, 6> leant;
+    for (size_t k = 0; k < leant.size(); ++k) leant[k] = posed(look, light.lean * kWays[k], look.clumpLean);
+    const float square = light.lean * light.lean;
     for (int i = 0; i < LOOK_VIEWS; ++i) {
-        const glm::vec3 e = viewOf(i);
-        const float blades = luminance(asBlades(standing, e, light).value());
-        const auto change = [&](size_t way) {
-            const float a = luminance(asBlades(leant[way], e, light).value()),
-                        b = luminance(asBlades(leant[way + 1], e, light).value());
-            return std::clamp(0.5f * (a - b) / std::max(blades, 1e-9f), -0.9f, 0.9f) / light.lean;
-        };
-        out.slices[static_cast<size_t>(i)].w = change(0);
-        out.far[static_cast<size_t>(i)].w = change(2);
+        const glm::vec3 e = viewOf(i), upright = asBlades(standing, e, light).value();
+        std::array<glm::vec3, 6> more;
+        for (size_t k = 0; k < more.size(); ++k)
+            more[k] = glm::clamp(quotient(asBlades(leant[k], e, light).value(), upright) - 1.0f, -0.9f, 2.0f);
+        const auto both = [&](size_t k) { return 0.5f * (more[k] + more[k + 1]) / square; };
+        const std::array<glm::vec3, 5> shares{0.5f * (more[0] - more[1]) / light.lean,
+                                              0.5f * (more[2] - more[3]) / light.lean, both(0), both(2),
+                                              2.0f * both(4) - both(0) - both(2)};
+        for (size_t k = 0; k < shares.size(); ++k) out.leans[k][static_cast<size_t>(i)] = shares[k];
     }
 }
 
@@ -301,7 +311,7 @@ Gains gainsOf(const Look& look, const FieldLight& light, const DrawnImages& imag
     if (light.traced && light.lampsCast) out.lampHotSpot = lampHotSpot(light.traced->blades);
     out.sliceAmbient = 0.5f * (light.sky + light.ground);
     out.farAmbient = 0.25f * light.ground + 0.75f * light.sky;
-    out.laid.fill(glm::vec4(1, 1, 1, 0));
+    out.laid.fill(glm::vec3(1));
     if (light.pressed) addLaidGains(look, light, out);
     addLevels(images, light, out);
     FieldLight sparse = light;
@@ -313,10 +323,9 @@ Gains gainsOf(const Look& look, const FieldLight& light, const DrawnImages& imag
     for (size_t i = 0; i < LOOK_VIEWS; ++i) {
         const glm::vec3 e = viewOf(static_cast<int>(i)), aim = aimAlong(light, standing, e);
         const RowShares shares = sharesSeen(images.standing, kShownLevel, e, images.stand);
-        out.slices[i] = glm::vec4(quotient(aim, sentAlong(shares, rows, e)), 0);
-        out.far[i] = glm::vec4(quotient(aim, far), 0);
-        out.thin[i] =
-            light.painted ? glm::vec4(quotient(aimAlong(sparse, standing, e), far), 0) : glm::vec4(1, 1, 1, 0);
+        out.slices[i] = quotient(aim, sentAlong(shares, rows, e));
+        out.far[i] = quotient(aim, far);
+        out.thin[i] = light.painted ? quotient(aimAlong(sparse, standing, e), far) : glm::vec3(1);
     }
     if (light.lean > 0) addLeans(look, light, out);
     return out;

@@ -49,14 +49,13 @@ float lightLeft(const Look& look, float sinElevation);
 inline constexpr float kThinDensity = 1.0f / THIN_DENSITY;
 // By view: LOOK_AZIMUTHS (x = cos a, z = sin a towards the eye, fastest) times LOOK_ELEVATIONS.
 struct Gains {
-    std::array<glm::vec4, LOOK_VIEWS>
-        slices;  // rgb: factor of vertical slices; w: share by which a lean (m per m) towards +x brightens
-    std::array<glm::vec4, LOOK_VIEWS>
-        far;  // rgb: factor of the horizontal slice; w: share by which a lean towards +z brightens
-    std::array<glm::vec4, LOOK_VIEWS> thin;  // rgb: as `far` where the field's density is kThinDensity: one sees
-                                             // further down, where others shade less
+    std::array<glm::vec3, LOOK_VIEWS> slices, far;  // factors of vertical slices and of the horizontal one
+    std::array<glm::vec3, LOOK_VIEWS> thin;         // rgb: as `far` where the field's density is kThinDensity: one sees
+                                                    // further down, where others shade less
     // rgb: how many times as bright blades that are pressed down are as those that stand; 1 where none may be.
-    std::array<glm::vec4, LOOK_VIEWS> laid;
+    std::array<glm::vec3, LOOK_VIEWS> laid;
+    // By what share grass brightens as its blades lean, as LookGain has it: x, z, xx, zz, xz.
+    std::array<std::array<glm::vec3, LOOK_VIEWS>, 5> leans{};
     // As SliceGlobals has them.
     std::array<float, FAR_LEVELS> farLevels{1, 1, 1, 1, 1, 1, 1, 1};
     std::array<float, SLICE_LEVELS> sliceLevels{1, 1, 1, 1, 1, 1, 1, 1};

@@ -94,22 +94,24 @@ void updateGains(GrownSpecies& s, const FieldLight& l) {
     s.gains = gainsOf(s.look, l, s.slices.means);
 }
 
-float greatest(const std::array<glm::vec4, LOOK_VIEWS>& factors) {
+// The greatest size of a colour of any.
+float greatest(const std::array<glm::vec3, LOOK_VIEWS>& factors) {
     float most = 1e-6f;
-    for (const glm::vec4& f : factors) most = std::max({most, f.x, f.y, f.z});
+    for (const glm::vec3& f : factors) most = std::max({most, std::abs(f.x), std::abs(f.y), std::abs(f.z)});
     return most;
 }
 
 }  // namespace
 
-uint32_t packedGain(const glm::vec4& factor, float scale) {
-    const glm::uvec3 share(glm::round(glm::clamp(glm::vec3(factor) / scale, 0.0f, 1.0f) * 1023.0f));
+uint32_t packedGain(const glm::vec3& factor, float scale) {
+    const glm::uvec3 share(glm::round(glm::clamp(factor / scale, 0.0f, 1.0f) * 1023.0f));
     return share.x | share.y << 10 | share.z << 20;
 }
 
 void setGains(SliceGlobals& g, bool conserving, Gains gains) {
     if (!conserving)
-        for (auto* factors : {&gains.slices, &gains.far, &gains.thin, &gains.laid}) factors->fill({1, 1, 1, 0});
+        for (auto* factors : {&gains.slices, &gains.far, &gains.thin, &gains.laid}) factors->fill(glm::vec3(1));
+    if (!conserving) gains.leans = {};
     if (!conserving) gains.farLevels.fill(1), gains.sliceLevels.fill(1), gains.thinner.fill(1);
     for (int i = 0; i < FAR_LEVELS; ++i) g.farLevels[i / 4][i % 4] = gains.farLevels[static_cast<size_t>(i)];
     for (int i = 0; i < SLICE_LEVELS; ++i) g.sliceLevels[i / 4][i % 4] = gains.sliceLevels[static_cast<size_t>(i)];
@@ -117,10 +119,19 @@ void setGains(SliceGlobals& g, bool conserving, Gains gains) {
     g.hotSpot = conserving ? gains.hotSpot : glm::vec3(0);
     g.lampHotSpot = conserving ? gains.lampHotSpot : glm::vec3(0);
     g.gainScale = {greatest(gains.slices), greatest(gains.far), greatest(gains.laid), greatest(gains.thin)};
+    g.leanScale = 0;
+    for (const auto& lean : gains.leans) g.leanScale = std::max(g.leanScale, greatest(lean));
     for (size_t i = 0; i < LOOK_VIEWS; ++i) {
+        const auto lean = [&](size_t k) { return packedGain(0.5f * (gains.leans[k][i] + g.leanScale), g.leanScale); };
         g.thin[i / 4][static_cast<int>(i % 4)] = packedGain(gains.thin[i], g.gainScale.w);
-        g.gains[i] = {packedGain(gains.slices[i], g.gainScale.x), packedGain(gains.far[i], g.gainScale.y),
-                      packedGain(gains.laid[i], g.gainScale.z), glm::packHalf2x16({gains.slices[i].w, gains.far[i].w})};
+        g.gains[i] = {packedGain(gains.slices[i], g.gainScale.x),
+                      packedGain(gains.far[i], g.gainScale.y),
+                      packedGain(gains.laid[i], g.gainScale.z),
+                      lean(0),
+                      lean(1),
+                      lean(2),
+                      lean(3),
+                      lean(4)};
     }
 }
 

@@ -13,7 +13,7 @@ struct GrownField;   // grass/grown.h
 void makeGains(DrawContext& ctx, const GrownField& field, size_t species);
 // A factor of red, green and blue as shares of the scale, 10 bits each from the lowest on; what is out of range is
 // clamped.
-uint32_t packedGain(const glm::vec4& factor, float scale);
+uint32_t packedGain(const glm::vec3& factor, float scale);
 // Writes gains into what shaders read; not conserving: all 1, as published.
 void setGains(SliceGlobals& g, bool conserving, Gains gains);
 

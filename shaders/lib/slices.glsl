@@ -45,15 +45,12 @@ LookTap lookTap(vec3 toEye) {
     return t;
 }
 
-// The mean of what four views have; of factors as LookGain packs them, and of leans.
+// The mean of what four views have: of factors as LookGain packs them, and of shares that may be below 0.
 vec3 mixGains(LookTap t, uvec4 bits, float scale) {
     vec4 w = t.weight * (scale / 1023.0);
     return vec3(dot(w, vec4(bits & 1023u)), dot(w, vec4(bits >> 10 & 1023u)), dot(w, vec4(bits >> 20)));
 }
-vec2 mixLeans(LookTap t, uvec4 bits) {
-    return t.weight.x * unpackHalf2x16(bits.x) + t.weight.y * unpackHalf2x16(bits.y) +
-           t.weight.z * unpackHalf2x16(bits.z) + t.weight.w * unpackHalf2x16(bits.w);
-}
+vec3 mixShares(LookTap t, uvec4 bits) { return 2.0 * mixGains(t, bits, slices.leanScale) - slices.leanScale; }
 
 // Numbers of SliceGlobals that have one a view, of the four.
 uvec4 thinAt(LookTap t) {
@@ -68,16 +65,27 @@ vec3 laidGain(LookTap t, float press) {
                        slices.gains[t.view.w].laid);
     return mix(vec3(1.0), mixGains(t, bits, slices.gainScale.z), press);
 }
+// How many times as bright grass is where its blades lean so far, m per m.
+vec3 leanGain(LookTap t, vec2 lean) {
+    if (lean == vec2(0.0)) return vec3(1.0);
+    LookGain a = slices.gains[t.view.x], b = slices.gains[t.view.y], c = slices.gains[t.view.z],
+             d = slices.gains[t.view.w];
+    vec3 sum = lean.x * mixShares(t, uvec4(a.leanX, b.leanX, c.leanX, d.leanX)) +
+               lean.y * mixShares(t, uvec4(a.leanZ, b.leanZ, c.leanZ, d.leanZ)) +
+               lean.x * lean.x * mixShares(t, uvec4(a.leanXX, b.leanXX, c.leanXX, d.leanXX)) +
+               lean.y * lean.y * mixShares(t, uvec4(a.leanZZ, b.leanZZ, c.leanZZ, d.leanZZ)) +
+               lean.x * lean.y * mixShares(t, uvec4(a.leanXZ, b.leanXZ, c.leanXZ, d.leanXZ));
+    return max(1.0 + sum, vec3(0.1));
+}
 // Factor that gives slices, in the sun's and the sky's light, the mean radiance of the blades they stand for; `lean`:
 // by paint and wind, m per m; `press`: how far they are laid down.
 vec3 sliceGain(vec3 toEye, vec2 lean, float press, bool far) {
     LookTap t = lookTap(toEye);
     LookGain a = slices.gains[t.view.x], b = slices.gains[t.view.y], c = slices.gains[t.view.z],
              d = slices.gains[t.view.w];
-    float leant = max(1.0 + dot(lean, mixLeans(t, uvec4(a.lean, b.lean, c.lean, d.lean))), 0.1);
-    vec3 gain = leant * (far ? mixGains(t, uvec4(a.above, b.above, c.above, d.above), slices.gainScale.y)
-                             : mixGains(t, uvec4(a.across, b.across, c.across, d.across), slices.gainScale.x));
-    return gain * laidGain(t, press);
+    vec3 gain = far ? mixGains(t, uvec4(a.above, b.above, c.above, d.above), slices.gainScale.y)
+                    : mixGains(t, uvec4(a.across, b.across, c.across, d.across), slices.gainScale.x);
+    return gain * leanGain(t, lean) * laidGain(t, press);
 }
 // sliceGain of the horizontal slice where the field's density is so: between what it is at full density and at the thin
 // one by its logarithm.

@@ -25,7 +25,13 @@ struct STD140 LookGain {
     uint across;  // of vertical slices
     uint above;   // of the horizontal slice
     uint laid;    // of vertical slices where grass lies, on top
-    uint lean;    // as packHalf2x16: brighter by a lean (m per m) towards +x, vertical slices; towards +z, horizontal
+    // By what share it brightens as blades lean (m per m), as shares of leanScale, of which half is 0: times the lean
+    // along x, along z, the squares of these, and their product.
+    uint leanX;
+    uint leanZ;
+    uint leanXX;
+    uint leanZZ;
+    uint leanXZ;
 };
 
 struct STD140 SliceGlobals {
@@ -72,7 +78,8 @@ struct STD140 SliceGlobals {
     float spread;      // as Sown
     float step;
     float sownShare;
-    uint sowSeed;  // of cells' chances
+    uint sowSeed;     // of cells' chances
+    float leanScale;  // greatest share of LookGain's leans
     LookGain gains[LOOK_VIEWS];
 };
 

@@ -84,7 +84,7 @@ TEST(Appearance, GainsAreOneWhereSlicesAreExact) {
         for (const glm::vec3& light : {glm::vec3(1, 0, 0), glm::vec3(-1, 0, 0)}) {
             const Gains g = gainsOf(look, lit(light, form), imagesFacingX());
             for (const int view : {0, LOOK_AZIMUTHS / 2}) {  // level, from where the light comes and from behind
-                const glm::vec4& gain = g.slices[static_cast<size_t>(view)];
+                const glm::vec3& gain = g.slices[static_cast<size_t>(view)];
                 const bool dark = (light.x > 0) != (view == 0);  // no light on either: nothing to compare
                 if (!dark) EXPECT_NEAR(gain.y, 1, 0.03f) << static_cast<int>(form) << " view " << view;
             }
@@ -117,11 +117,11 @@ TEST(Appearance, GainsAreFiniteForLightsAnywhere) {
             l.translucency = 0.5f, l.gloss = 1, l.lean = 0.3f;
             const Gains g = gainsOf(look, l, images);
             for (const auto* gains : {&g.slices, &g.far})
-                for (const glm::vec4& v : *gains)
-                    for (int c = 0; c < 4; ++c) {
+                for (const glm::vec3& v : *gains)
+                    for (int c = 0; c < 3; ++c) {
                         ASSERT_TRUE(std::isfinite(v[c])) << "form " << static_cast<int>(form) << ", light "
                                                          << direction.x << " " << direction.y << " " << direction.z;
-                        if (c < 3) ASSERT_GT(v[c], 0);
+                        ASSERT_GT(v[c], 0);
                     }
         }
 }
@@ -143,7 +143,7 @@ TEST(Appearance, ThinGrassShowsMoreOfWhatStandsLow) {
     s.rootColor = glm::vec3(0.02f), s.midColor = glm::vec3(0.1f);
     EXPECT_LT(thinByFull(), 0.85f * plain);
     FieldLight unpainted{.sky = glm::vec3(1), .ground = glm::vec3(1)};
-    EXPECT_EQ(gainsFor(s, unpainted).thin[low], glm::vec4(1, 1, 1, 0)) << "nobody asks for it";
+    EXPECT_EQ(gainsFor(s, unpainted).thin[low], glm::vec3(1)) << "nobody asks for it";
 }
 
 TEST(Appearance, ASpeciesWithoutBladesHasASoundLook) {
@@ -152,7 +152,7 @@ TEST(Appearance, ASpeciesWithoutBladesHasASoundLook) {
     const Look look = lookOf(s);
     EXPECT_EQ(look.across, 0);
     EXPECT_FLOAT_EQ(lightLeft(look, 0.5f), 1);
-    for (const glm::vec4& v : gainsFor(s, lit({1, 1, 0}, LightWeighting::Atan)).slices) EXPECT_TRUE(std::isfinite(v.x));
+    for (const glm::vec3& v : gainsFor(s, lit({1, 1, 0}, LightWeighting::Atan)).slices) EXPECT_TRUE(std::isfinite(v.x));
 }
 
 TEST(Appearance, PaintTowardsTheLightAndAwayFromItChangesBrightnessOppositely) {
@@ -162,14 +162,27 @@ TEST(Appearance, PaintTowardsTheLightAndAwayFromItChangesBrightnessOppositely) {
     s.bend = 0, s.leanDeg = 25, s.leanVariationDeg = 0;
     const Gains g = gainsFor(s, l);
     float most = 0;
-    for (int view = 0; view < LOOK_VIEWS; ++view) {
-        const float change = std::abs(g.slices[static_cast<size_t>(view)].w) * l.lean;
+    for (size_t view = 0; view < LOOK_VIEWS; ++view) {
+        const float change = std::abs(g.leans[0][view].y) * l.lean;
         most = std::max(most, change);
-        EXPECT_LE(change, 0.9f);
+        EXPECT_LE(change, 1.5f);
     }
     EXPECT_GT(most, 0.02f) << "painted lean along the light changes nothing";
     l.lean = 0;
-    EXPECT_EQ(gainsFor(s, l).slices[0].w, 0) << "nothing is painted";
+    EXPECT_EQ(gainsFor(s, l).leans[0][0], glm::vec3(0)) << "nothing is painted";
+}
+
+// Leaves of two colours, of which a lean shows other parts: each colour changes by its own share.
+TEST(Appearance, ALeanChangesEachColourByItself) {
+    FieldLight l = lit({1, 0.7f, 0}, LightWeighting::Cosine, glm::vec3(0.2f));
+    l.lean = 0.5f, l.gloss = 1;
+    Species s;
+    s.rootColor = s.midColor = s.tipColor = {0.05f, 0.1f, 0.01f};
+    const Gains g = gainsFor(s, l);
+    float apart = 0;
+    for (const auto& lean : g.leans)
+        for (const glm::vec3& share : lean) apart = std::max(apart, std::abs(share.z - share.y));
+    EXPECT_GT(apart, 0.1f) << "the highlight is white, the leaf hardly blue";
 }
 
 TEST(Appearance, LightLeftIsAShareAndLessTheDenserAndTheLowerTheLight) {
