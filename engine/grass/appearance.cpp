@@ -169,7 +169,7 @@ glm::vec3 aimAlong(const FieldLight& light, const std::vector<Posed>& points, co
     if (!light.traced || !light.shade) return asBlades(points, e, light).value();
     const TracedShows& shows = light.traced->shows;
     glm::vec3 sum = light.sky * shownRise(shows.sky, e.y) + light.ground * shownRise(shows.ground, e.y);
-    for (const auto& [direction, color] : light.suns) sum += color * shownDirect(shows, e, direction);
+    for (const auto& [direction, color] : light.suns) sum += color * shownDirect(shows.direct, e, direction);
     if (light.density == 1) return sum;
     FieldLight full = light;
     full.density = 1;
@@ -226,6 +226,39 @@ void addThinner(const DrawnImages& images, const RowsSend& rows, Gains& out) {
     }
 }
 
+// By what share grass brightens as it leans: x, z, xx, zz, xz.
+using LeanShares = std::array<glm::vec3, 5>;
+// What paths have seen of leaning grass, as LeaningShows has it.
+std::array<glm::vec3, kTracedLeans> leaningSends(const FieldLight& light, const glm::vec3& e) {
+    const LeaningShows& leaning = light.traced->leaning;
+    std::array<glm::vec3, kTracedLeans> out;
+    for (size_t k = 0; k < out.size(); ++k) {
+        out[k] = light.sky * shownRise(leaning.sky[k], e.y);
+        for (const auto& [direction, color] : light.suns) {
+            const bool sine = k % 2 == 0 && k > 0, mirrored = e.x * direction.z - e.z * direction.x < 0;
+            out[k] += (sine && mirrored ? -1.0f : 1.0f) * color * shownDirect(leaning.direct[k], e, direction);
+        }
+    }
+    return out;
+}
+// The polynomial that is upright grass where there is no lean, and these at the full one.
+LeanShares tracedLeans(const FieldLight& light, const glm::vec3& e) {
+    const TracedLight& traced = *light.traced;
+    const auto sends = leaningSends(light, e);
+    glm::vec3 upright = light.sky * shownRise(traced.shows.sky, e.y);
+    for (const auto& [direction, color] : light.suns) upright += color * shownDirect(traced.shows.direct, e, direction);
+    const glm::vec3 all = glm::max(upright + light.ground * shownRise(traced.shows.ground, e.y), glm::vec3(1e-9f));
+    const glm::vec2 u = glm::normalize(glm::vec2(e.x, e.z)), v(-u.y, u.x);  // along the eye's azimuth, and aside
+    const glm::vec3 mean = sends[0] - upright;
+    LeanShares out{sends[1] * u.x + sends[2] * v.x, sends[1] * u.y + sends[2] * v.y,
+                   mean + sends[3] * (u.x * u.x - v.x * v.x) + sends[4] * (2 * u.x * v.x),
+                   mean + sends[3] * (u.y * u.y - v.y * v.y) + sends[4] * (2 * u.y * v.y),
+                   2.0f * sends[3] * (u.x * u.y - v.x * v.y) + 2.0f * sends[4] * (u.x * v.y + u.y * v.x)};
+    const float full = traced.leaning.lean;
+    for (size_t k = 0; k < out.size(); ++k) out[k] /= all * (k < 2 ? full : full * full);
+    return out;
+}
+
 // A few of a look's blades.
 Look fewOf(const Look& look) {
     constexpr size_t kEach = 3;
@@ -237,8 +270,8 @@ Look fewOf(const Look& look) {
         p.area *= static_cast<float>(look.points.size()) / static_cast<float>(out.points.size());
     return out;
 }
-// By what share grass brightens as it leans: the polynomial through what leans along x, along z and between do.
-void addLeans(const Look& whole, const FieldLight& light, Gains& out) {
+// The polynomial through what blades send that lean along x, along z and between.
+void addLocalLeans(const Look& whole, const FieldLight& light, Gains& out) {
     const Look look = fewOf(whole);
     constexpr std::array<glm::vec2, 6> kWays{
         {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {0.7071f, 0.7071f}, {-0.7071f, -0.7071f}}};
@@ -252,9 +285,16 @@ void addLeans(const Look& whole, const FieldLight& light, Gains& out) {
         for (size_t k = 0; k < more.size(); ++k)
             more[k] = glm::clamp(quotient(asBlades(leant[k], e, light).value(), upright) - 1.0f, -0.9f, 2.0f);
         const auto both = [&](size_t k) { return 0.5f * (more[k] + more[k + 1]) / square; };
-        const std::array<glm::vec3, 5> shares{0.5f * (more[0] - more[1]) / light.lean,
-                                              0.5f * (more[2] - more[3]) / light.lean, both(0), both(2),
-                                              2.0f * both(4) - both(0) - both(2)};
+        const LeanShares shares{0.5f * (more[0] - more[1]) / light.lean, 0.5f * (more[2] - more[3]) / light.lean,
+                                both(0), both(2), 2.0f * both(4) - both(0) - both(2)};
+        for (size_t k = 0; k < shares.size(); ++k) out.leans[k][static_cast<size_t>(i)] = shares[k];
+    }
+}
+
+void addLeans(const Look& look, const FieldLight& light, Gains& out) {
+    if (!light.traced || !light.shade || !(light.traced->leaning.lean > 0)) return addLocalLeans(look, light, out);
+    for (int i = 0; i < LOOK_VIEWS; ++i) {
+        const LeanShares shares = tracedLeans(light, viewOf(i));
         for (size_t k = 0; k < shares.size(); ++k) out.leans[k][static_cast<size_t>(i)] = shares[k];
     }
 }

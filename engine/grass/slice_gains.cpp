@@ -48,6 +48,7 @@ void addShading(std::vector<float>& read, const FieldLight& l) {
     const auto& [blades, shows] = std::tie(l.traced->blades, l.traced->shows);
     add(blades.direct), add(blades.sky), add(blades.ground);
     add(shows.direct), add(shows.sky), add(shows.ground);
+    for (size_t k = 0; k < kTracedLeans; ++k) add(l.traced->leaning.direct[k]), add(l.traced->leaning.sky[k]);
 }
 // Gains of lamps' light, where there are lamps.
 void updateLampGains(const DrawContext& ctx, const GrownField& f, GrownSpecies& s, FieldLight l) {

@@ -62,6 +62,9 @@ TracedLight underSky(const TracedLight& traced, const glm::vec3& tilt) {
     TracedLight out = traced;
     for (size_t i = 0; i < TRACED_RISE; ++i) out.blades.sky[i] += tilt * out.blades.skyTilt[i];
     for (size_t i = 0; i < kTracedViews; ++i) out.shows.sky[i] += tilt * out.shows.skyTilt[i];
+    for (size_t i = 0; i < kTracedViews; ++i)  // a lean changes both alike
+        for (auto& lean : out.leaning.sky)
+            lean[i] *= out.shows.sky[i] / glm::max(traced.shows.sky[i], glm::vec3(1e-6f));
     const float soil = traced.soilSky + traced.soilTilt * glm::dot(tilt, glm::vec3(0.2126f, 0.7152f, 0.0722f));
     out.soilSky = std::clamp(soil, 0.0f, 1.0f);
     return out;
@@ -82,7 +85,7 @@ glm::vec3 tracedHotSpot(const TracedFactors& traced, const glm::vec3& towards) {
     return glm::clamp(termsFor(traced, towards.y)[7] / beside, 0.0f, 4.0f);
 }
 
-glm::vec3 shownDirect(const TracedShows& shows, const glm::vec3& toEye, const glm::vec3& towards) {
+glm::vec3 shownDirect(const decltype(TracedShows::direct)& direct, const glm::vec3& toEye, const glm::vec3& towards) {
     const Between view = between(kViewSines, toEye.y), light = between(kLightSines, towards.y),
                   turn = between(kTurns, turnBetween(toEye, towards));
     glm::vec3 sum(0);
@@ -90,7 +93,7 @@ glm::vec3 shownDirect(const TracedShows& shows, const glm::vec3& toEye, const gl
         const size_t v = i & 1, l = i >> 1 & 1, t = i >> 2;
         const float weight =
             (v ? view.share : 1 - view.share) * (l ? light.share : 1 - light.share) * (t ? turn.share : 1 - turn.share);
-        sum += weight * shows.direct[((view.low + v) * kTracedLights + light.low + l) * kTracedTurns + turn.low + t];
+        sum += weight * direct[((view.low + v) * kTracedLights + light.low + l) * kTracedTurns + turn.low + t];
     }
     return sum;
 }

@@ -29,6 +29,14 @@ struct TracedShows {
     std::array<glm::vec3, kTracedViews * kTracedLights * kTracedTurns> direct{};  // without the glow about the light
     std::array<glm::vec3, kTracedViews> sky{}, skyTilt{}, ground{};               // of light from above and from below
 };
+// The same of grass that leans as far as its paint can lean it, on average over all ways that it may lean, and times
+// the cosine and the sine of the angle from the eye's azimuth to that of the lean, and of twice that angle.
+inline constexpr int kTracedLeans = 5;
+struct LeaningShows {
+    std::array<decltype(TracedShows::direct), kTracedLeans> direct{};  // of lights to one side: a turn towards z from x
+    std::array<decltype(TracedShows::sky), kTracedLeans> sky{};
+    float lean = 0;  // m per m; 0: was not traced
+};
 // Numbers of the polynomials of numerics/traced.h, red, green and blue.
 struct TracedFactors {
     std::array<glm::vec3, TRACED_DIRECT> direct{};       // as SpeciesGlobals::traced has them
@@ -38,6 +46,7 @@ struct TracedFactors {
 struct TracedLight {
     TracedFactors blades;  // over what local light says of each point of a blade that is seen
     TracedShows shows;
+    LeaningShows leaning;
     glm::vec3 soilScattered{0};  // polynomial by the sun's elevation
     float soilSky = 1;           // share of the sky's light that comes to the soil
     float soilTilt = 0;          // what that gains a unit of tilt
@@ -67,8 +76,9 @@ glm::vec3 tracedDirect(const TracedFactors& traced, const glm::vec3& toEye, cons
 glm::vec3 tracedBeside(const TracedFactors& traced, const glm::vec3& toEye, const glm::vec3& towards);
 // By what share of tracedBeside the glow is brighter in its middle, at least 0.
 glm::vec3 tracedHotSpot(const TracedFactors& traced, const glm::vec3& towards);
-// What `direct` says between the directions that were traced, and what one of the others says of a view so high (sine).
-glm::vec3 shownDirect(const TracedShows& shows, const glm::vec3& toEye, const glm::vec3& towards);
+// What `direct` of TracedShows says between the directions that were traced, and what one of the others says of a view
+// so high (sine).
+glm::vec3 shownDirect(const decltype(TracedShows::direct)& direct, const glm::vec3& toEye, const glm::vec3& towards);
 glm::vec3 shownRise(const std::array<glm::vec3, kTracedViews>& shows, float sinElevation);
 glm::vec3 tracedRise(const std::array<glm::vec3, TRACED_RISE>& numbers, float sinElevation);
 // Writes them for shaders; sun: unit, towards it. Null: factors of 1.

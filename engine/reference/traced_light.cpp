@@ -19,9 +19,9 @@
 namespace sward {
 namespace {
 
-constexpr uint32_t kVersion = 9;  // of the method: another one gives other factors
-constexpr int kRays = 2000;       // that meet a blade, a view
-constexpr int kParts = 16;        // of a view's rays, each with its own sums, so that any number of threads adds alike
+constexpr uint32_t kVersion = 10;  // of the method: another one gives other factors
+constexpr int kRays = 2000;        // that meet a blade, a view
+constexpr int kParts = 16;         // of a view's rays, each with its own sums, so that any number of threads adds alike
 constexpr int kMostBounces = 12;
 constexpr int kSkyPaths = 8;  // from each blade that is seen
 constexpr size_t kOften = 5;  // behind the first meeting light comes from one of so many directions, by chance
@@ -49,7 +49,8 @@ struct Lawn {
     float height = 0;    // of its highest blade, metres
     float soilOpen = 1;  // share of the sky's light that comes to its soil
 };
-Result<Lawn> lawnOf(const TracedSpec& spec) {
+// leaning: all of it, along x, as far as paint can lean it.
+Result<Lawn> lawnOf(const TracedSpec& spec, bool leaning = false) {
     Lawn lawn;
     const SliceSpec& s = spec.species;
     lawn.project.dir = spec.dir;
@@ -61,6 +62,11 @@ Result<Lawn> lawnOf(const TracedSpec& spec) {
     GrassField f;
     f.cellSize = s.cellSize, f.seed = static_cast<int>(s.seed);
     f.species = {s.species};
+    if (leaning) {
+        Map along({1, 1, 2, PixelType::F32});
+        along.set(0, 0, 0, 1), along.set(0, 0, 1, 0.5f);
+        f.orientation.map = std::move(along);
+    }
     lawn.project.registry.add<GrassField>(*grass, f);
     const Patch patch = makePatch(s.species, s.cellSize, s.seed);
     for (const Blade& b : patch.blades) lawn.height = std::max({lawn.height, b.tip.y, b.control.y});
@@ -178,6 +184,39 @@ void addSky(Tracer& t, const Surface& seen, const glm::vec3& toSeen, Dice& dice,
     }
 }
 
+// A ray of a view of this azimuth over the lawn; none: it met no blade.
+std::optional<Surface> lookDown(Tracer& t, const glm::vec3& toEye, Dice& dice) {
+    const double height = static_cast<double>(t.lawn.height);
+    const glm::dvec3 top(0.5 * kSide + 20 * double(dice.unit()), height, 0.5 * kSide + 20 * double(dice.unit()));
+    return t.rays.closest({top, -glm::dvec3(toEye), 0, height / double(toEye.y), dice.grain()}, t.memory);
+}
+
+// Rays of a part of a view over grass that leans along x. What each sends counts by the angle of that lean to the eye:
+// eyes stand all around, so that means of it times these terms are the terms' numbers.
+TracedTable::Leaning traceLeaning(Tracer& t, int view, int part, int rays, const JobControl& control) {
+    TracedTable::Leaning sums;
+    for (int n = 0; n < 8 * rays && sums.met < rays && !control.cancelled(); ++n) {
+        Dice dice{
+            f32::hash3(0x1ea0u + static_cast<uint32_t>(view), static_cast<uint32_t>(part), static_cast<uint32_t>(n))};
+        const float azimuth = f32::kTau * dice.unit();
+        const glm::vec3 toEye = raised(azimuth, kViewSines[view]);
+        const std::optional<Surface> s = lookDown(t, toEye, dice);
+        if (!s) continue;
+        ++sums.met;
+        const double lean = -static_cast<double>(azimuth);
+        const std::array<double, kTracedLeans> terms{1, 2 * std::cos(lean), 2 * std::sin(lean), 2 * std::cos(2 * lean),
+                                                     2 * std::sin(2 * lean)};
+        ViewSums one;
+        addLights(t, *s, toEye, lightsAbout(azimuth), dice, one);
+        addSky(t, *s, toEye, dice, one);
+        for (size_t k = 0; k < kTracedLeans; ++k) {
+            for (size_t i = 0; i < one.direct.size(); ++i) sums.direct[i][k] += terms[k] * one.direct[i].full;
+            sums.sky[k] += terms[k] * one.sky.full;
+        }
+    }
+    return sums;
+}
+
 // Rays of a part of a view, until enough of them have met a blade.
 ViewSums traceView(Tracer& t, int view, int part, int rays, const JobControl& control) {
     ViewSums sums;
@@ -185,10 +224,7 @@ ViewSums traceView(Tracer& t, int view, int part, int rays, const JobControl& co
         Dice dice{f32::hash3(static_cast<uint32_t>(view), static_cast<uint32_t>(part), static_cast<uint32_t>(n))};
         const float azimuth = f32::kTau * dice.unit();
         const glm::vec3 toEye = raised(azimuth, kViewSines[view]);
-        const double height = static_cast<double>(t.lawn.height);
-        const glm::dvec3 top(0.5 * kSide + 20 * double(dice.unit()), height, 0.5 * kSide + 20 * double(dice.unit()));
-        const Ray ray{top, -glm::dvec3(toEye), 0, height / double(toEye.y), dice.grain()};
-        const std::optional<Surface> s = t.rays.closest(ray, t.memory);
+        const std::optional<Surface> s = lookDown(t, toEye, dice);
         if (!s) continue;
         ++sums.met;
         const Lights lights = lightsAbout(azimuth);
@@ -232,151 +268,10 @@ void tellSoil(const SoilSums& sums, TracedTable& table) {
             luminance(sums.met.direct[i].full) / (kTracedTurns * std::max(sums.rays, 1));
 }
 
-// A weighted least-squares fit of N numbers a colour, held near `first` = 1 and the rest 0 where nothing tells them.
-template <size_t N>
-struct Fit {
-    std::array<std::array<double, N>, N> squares{};
-    std::array<glm::dvec3, N> products{};
-    void add(const std::array<double, N>& terms, const glm::dvec3& value, double weight) {
-        for (size_t i = 0; i < N; ++i) {
-            for (size_t k = 0; k < N; ++k) squares[i][k] += weight * terms[i] * terms[k];
-            products[i] += weight * terms[i] * value;
-        }
-    }
-    // By elimination; the held fit has no vanishing pivot.
-    std::array<glm::vec3, N> solve() {
-        constexpr double kHeld = 1e-3;
-        for (size_t i = 0; i < N; ++i) squares[i][i] += kHeld;
-        products[0] += kHeld;
-        for (size_t i = 0; i < N; ++i)
-            for (size_t k = i + 1; k < N; ++k) {
-                const double times = squares[k][i] / squares[i][i];
-                for (size_t m = i; m < N; ++m) squares[k][m] -= times * squares[i][m];
-                products[k] -= times * products[i];
-            }
-        std::array<glm::vec3, N> out{};
-        for (size_t i = N; i-- > 0;) {
-            glm::dvec3 rest = products[i];
-            for (size_t m = i + 1; m < N; ++m) rest -= squares[i][m] * glm::dvec3(out[m]);
-            out[i] = glm::vec3(rest / squares[i][i]);
-        }
-        return out;
-    }
-};
-
-// What a factor is a sum of, for one elevation of the light; the glow is the last.
-std::array<double, TRACED_TERMS> termsOf(float view, float light, float turn) {
-    const f32::TracedTerms t = f32::tracedTerms(raised(0, view), raised(turn, light));
-    std::array<double, TRACED_TERMS> out{};
-    for (int i = 0; i < 3; ++i) {
-        out[static_cast<size_t>(i)] = static_cast<double>(t.rise[i]);
-        out[static_cast<size_t>(i) + 3] = static_cast<double>(t.across[i]);
-    }
-    out[6] = static_cast<double>(t.near2), out[7] = static_cast<double>(t.glow);
-    return out;
-}
-
-std::array<glm::vec3, TRACED_RISE> fitRise(const std::array<TracedSums, kTracedViews>& sums) {
-    Fit<TRACED_RISE> fit;
-    for (size_t i = 0; i < sums.size(); ++i) {
-        const glm::vec3 rise = f32::tracedRise(kViewSines[i]);
-        fit.add({static_cast<double>(rise.x), static_cast<double>(rise.y), static_cast<double>(rise.z)},
-                sums[i].full / glm::max(sums[i].local, glm::dvec3(1e-9)), 1);
-    }
-    return fit.solve();
-}
-
-// A quotient of the table, and how much it counts: by what local light says.
-struct Seen {
-    int light, view, turn;
-    glm::dvec3 quotient;
-    double weight;
-};
-std::vector<Seen> quotientsOf(const TracedTable& table) {
-    std::vector<Seen> out;
-    for (int light = 0; light < kTracedLights; ++light) {
-        const auto sumsOf = [&](int view, int turn) -> const TracedSums& {
-            return table.direct[static_cast<size_t>(view)][static_cast<size_t>(light * kTracedTurns + turn)];
-        };
-        double mean = 0;
-        for (int view = 0; view < kTracedViews; ++view)
-            for (int turn = 0; turn < kTracedTurns; ++turn)
-                mean += sumsOf(view, turn).local.y / (kTracedViews * kTracedTurns);
-        for (int view = 0; view < kTracedViews && mean > 0; ++view)
-            for (int turn = 0; turn < kTracedTurns; ++turn) {
-                const TracedSums& s = sumsOf(view, turn);
-                out.push_back({light, view, turn, s.full / glm::max(s.local, glm::dvec3(1e-9)), s.local.y / mean});
-            }
-    }
-    return out;
-}
-
-// The glow about each elevation of the light: a few directions of each see it, so that it is fitted with all of them,
-// as a polynomial of the elevation like the rest.
-std::array<glm::vec3, TRACED_LIGHTS> fitGlow(const std::vector<Seen>& seen) {
-    Fit<TRACED_TERMS * TRACED_RISE> fit;
-    for (const Seen& s : seen) {
-        const auto terms = termsOf(kViewSines[s.view], kLightSines[s.light], kTurns[s.turn]);
-        const glm::vec3 by = f32::tracedRise(kLightSines[s.light]);
-        std::array<double, TRACED_TERMS * TRACED_RISE> all{};
-        for (size_t i = 0; i < all.size(); ++i)
-            all[i] = static_cast<double>(by[static_cast<int>(i / TRACED_TERMS)]) * terms[i % TRACED_TERMS];
-        fit.add(all, s.quotient, s.weight);
-    }
-    const auto numbers = fit.solve();
-    std::array<glm::vec3, TRACED_LIGHTS> out{};
-    for (size_t light = 0; light < out.size(); ++light)
-        for (size_t k = 0; k < TRACED_RISE; ++k)
-            out[light] +=
-                f32::tracedRise(kLightSines[light])[static_cast<int>(k)] * numbers[TRACED_TERMS * k + TRACED_TERMS - 1];
-    return out;
-}
-
-// Each elevation of the light has its own numbers.
-std::array<glm::vec3, TRACED_DIRECT> fitDirect(const TracedTable& table) {
-    constexpr size_t kBeside = TRACED_TERMS - 1;
-    const std::vector<Seen> seen = quotientsOf(table);
-    const auto glow = fitGlow(seen);
-    std::array<Fit<kBeside>, TRACED_LIGHTS> fits;
-    for (const Seen& s : seen) {
-        const auto terms = termsOf(kViewSines[s.view], kLightSines[s.light], kTurns[s.turn]);
-        std::array<double, kBeside> beside{};
-        std::copy_n(terms.begin(), kBeside, beside.begin());
-        const auto light = static_cast<size_t>(s.light);
-        fits[light].add(beside, s.quotient - terms[kBeside] * glm::dvec3(glow[light]), s.weight);
-    }
-    std::array<glm::vec3, TRACED_DIRECT> out{};
-    for (size_t light = 0; light < TRACED_LIGHTS; ++light) {
-        const auto numbers = fits[light].solve();
-        std::copy(numbers.begin(), numbers.end(), out.begin() + static_cast<std::ptrdiff_t>(TRACED_TERMS * light));
-        out[TRACED_TERMS * light + kBeside] = glow[light];
-    }
-    return out;
-}
-
-// What paths have seen of a view, on average.
-glm::vec3 meanOf(const TracedTable& table, size_t view, const TracedSums& s) {
-    return glm::vec3(s.full / static_cast<double>(std::max(table.met[view], 1)));
-}
-TracedShows showsOf(const TracedTable& table, const TracedFactors& factors) {
-    TracedShows out;
-    for (size_t view = 0; view < kTracedViews; ++view) {
-        out.sky[view] = meanOf(table, view, table.sky[view]);
-        out.skyTilt[view] = meanOf(table, view, table.tilt[view]);
-        out.ground[view] = meanOf(table, view, table.ground[view]);
-        for (size_t i = 0; i < table.direct[view].size(); ++i) {
-            const glm::vec3 eye = raised(0, kViewSines[view]),
-                            light = raised(kTurns[i % kTracedTurns], kLightSines[i / kTracedTurns]);
-            const glm::vec3 glow = 1.0f + tracedHotSpot(factors, light) * f32::tracedGlow(eye, light);
-            out.direct[view * table.direct[view].size() + i] = meanOf(table, view, table.direct[view][i]) / glow;
-        }
-    }
-    return out;
-}
-
 // --- the file of the cache: the numbers, and a hash of their bytes
-constexpr size_t kNumbers =
-    3 * (TRACED_DIRECT + 3 * TRACED_RISE + kTracedViews * (kTracedLights * kTracedTurns + 3) + 1) + 2;
+constexpr size_t kNumbers = 3 * (TRACED_DIRECT + 3 * TRACED_RISE + kTracedViews * (kTracedLights * kTracedTurns + 3) +
+                                 kTracedLeans * kTracedViews * (kTracedLights * kTracedTurns + 1) + 1) +
+                            3;
 static_assert(sizeof(TracedLight) == kNumbers * sizeof(float));
 
 std::filesystem::path tracedFile(const std::filesystem::path& folder, uint64_t key) {
@@ -445,17 +340,52 @@ const System kSystems[] = {{"grass/traced", {.reads = {Slot::SkyLight}, .writes 
 }  // namespace
 
 TracedSpec tracedSpec(const Project& project, const FieldEntity& field, size_t species, const Rgba8& blade) {
-    return {sliceSpec(field, species, blade, true), project.dir};
+    const bool leans = field.grows.orientation.present() && leanAtFull(field.grows.species[species]) > 0.05f;
+    return {sliceSpec(field, species, blade, true), project.dir, leans};
 }
 
 uint64_t tracedKey(const TracedSpec& spec) {
     SliceSpec s = spec.species;
     s.slices = s.width = s.height = s.farSize = 0;
     const Species& p = s.species;
-    const float read[] = {
-        static_cast<float>(kVersion), p.translucency, p.gloss, p.roughness, p.leanDeg, p.clumpSize, p.clumpStrength};
+    const float read[] = {static_cast<float>(kVersion),
+                          spec.leans ? 1.0f : 0.0f,
+                          p.translucency,
+                          p.gloss,
+                          p.roughness,
+                          p.leanDeg,
+                          p.clumpSize,
+                          p.clumpStrength};
     const uint64_t parts[] = {sliceKey(s), hashBytes(read, sizeof(read))};
     return hashBytes(parts, sizeof(parts));
+}
+
+// Fills in the table's leaning grass.
+Result<void> traceLeans(const TracedSpec& spec, int rays, JobControl& control, TracedTable& table) {
+    Result<Lawn> lawn = lawnOf(spec, true);
+    if (!lawn) return lawn.error();
+    const Result<GrassRays> grass = GrassRays::make(lawn->project, 0, control);
+    if (!grass) return grass.error();
+    std::array<std::array<TracedTable::Leaning, kTracedViews>, kParts> sums;
+    parallelFor(kParts, [&](size_t part) {
+        Tracer t{*lawn, *grass};
+        for (int view = 0; view < kTracedViews; ++view)
+            sums[part][static_cast<size_t>(view)] =
+                traceLeaning(t, view, static_cast<int>(part), std::max(rays / kParts, 1), control);
+    });
+    if (control.cancelled()) return failed("cancelled");
+    for (size_t view = 0; view < kTracedViews; ++view)
+        for (const auto& part : sums) {
+            TracedTable::Leaning& all = table.leaning[view];
+            const TracedTable::Leaning& one = part[view];
+            all.met += one.met;
+            for (size_t k = 0; k < kTracedLeans; ++k) {
+                all.sky[k] += one.sky[k];
+                for (size_t i = 0; i < all.direct.size(); ++i) all.direct[i][k] += one.direct[i][k];
+            }
+        }
+    table.lean = leanAtFull(spec.species.species);
+    return {};
 }
 
 Result<TracedTable> traceTable(const TracedSpec& spec, int rays, JobControl& control) {
@@ -490,23 +420,9 @@ Result<TracedTable> traceTable(const TracedSpec& spec, int rays, JobControl& con
         table.direct[view] = all.direct;
         table.sky[view] = all.sky, table.tilt[view] = all.tilt, table.ground[view] = all.ground;
     }
+    if (spec.leans)
+        if (const Result<void> traced = traceLeans(spec, rays, control, table); !traced) return traced.error();
     return table;
-}
-
-TracedLight fitTraced(const TracedTable& table) {
-    TracedLight light;
-    light.blades = {fitDirect(table), fitRise(table.sky), fitRise(table.ground), fitRise(table.tilt)};
-    light.shows = showsOf(table, light.blades);
-    Fit<TRACED_RISE> scattered;
-    for (size_t i = 0; i < kTracedLights; ++i) {
-        const glm::dvec3 rise(f32::tracedRise(kLightSines[i]));
-        scattered.add({rise.x, rise.y, rise.z}, glm::dvec3(table.soilScattered[i]), 1e3);
-    }
-    const auto numbers = scattered.solve();
-    light.soilScattered = {numbers[0].x, numbers[1].x, numbers[2].x};
-    light.soilSky = static_cast<float>(table.soilSky);
-    light.soilTilt = static_cast<float>(table.soilTilt);
-    return light;
 }
 
 Result<TracedLight> tracedLight(const std::filesystem::path& folder, const TracedSpec& spec, JobControl& control) {

@@ -22,6 +22,7 @@ struct EffectRow;
 struct TracedSpec {
     SliceSpec species;          // its slices' sizes are not read
     std::filesystem::path dir;  // of the project, in which the blade's texture lies
+    bool leans = false;         // whether anything leans its grass: what that changes is traced, too
 };
 TracedSpec tracedSpec(const Project& project, const FieldEntity& field, size_t species, const Rgba8& blade);
 // Hash over all that traceLight reads.
@@ -36,6 +37,13 @@ struct TracedTable {
     std::array<int, kTracedViews> met{};  // rays that the sums of a view are of
     std::array<std::array<TracedSums, kTracedLights * kTracedTurns>, kTracedViews> direct;  // by turn, then elevation
     std::array<TracedSums, kTracedViews> sky, ground;
+    struct Leaning {  // full: sums as LeaningShows has means
+        std::array<std::array<glm::dvec3, kTracedLeans>, kTracedLights * kTracedTurns> direct{};
+        std::array<glm::dvec3, kTracedLeans> sky{};
+        int met = 0;
+    };
+    std::array<Leaning, kTracedViews> leaning;
+    float lean = 0;                             // of those, m per m; 0: none were traced
     std::array<TracedSums, kTracedViews> tilt;  // full: of the sky's tilt alone; local: as under an even sky
     // What comes to the soil, as shares of the sky's light and of that on what faces the sun, by the sun's elevation.
     double soilSky = 0, soilTilt = 0;  // the latter a unit of the sky's tilt

@@ -92,12 +92,13 @@ TEST(Traced, WhatIsSeenIsReadBetweenTheDirectionsThatWereTraced) {
         for (const float light : {0.1f, 0.27f, 0.6f, 0.95f})
             for (const float turn : {0.01f, 0.5f, 2.0f, 3.1f}) {
                 const float across = std::sqrt(1 - light * light);
-                const glm::vec3 seen = shownDirect(shows, {std::sqrt(1 - view * view), view, 0},
+                const glm::vec3 seen = shownDirect(shows.direct, {std::sqrt(1 - view * view), view, 0},
                                                    {across * std::cos(turn), light, across * std::sin(turn)});
                 for (int k = 0; k < 3; ++k) EXPECT_NEAR(seen[k], at(view, light, turn)[k], 1e-4f);
             }
-    EXPECT_EQ(shownDirect(shows, {1, -0.1f, 0}, {1, -0.5f, 0}).x, shownDirect(shows, {1, 0.04f, 0}, {1, 0.1f, 0}).x);
-    EXPECT_FALSE(std::isnan(shownDirect(shows, {0, 1, 0}, {0, 1, 0}).z)) << "an eye straight above";
+    EXPECT_EQ(shownDirect(shows.direct, {1, -0.1f, 0}, {1, -0.5f, 0}).x,
+              shownDirect(shows.direct, {1, 0.04f, 0}, {1, 0.1f, 0}).x);
+    EXPECT_FALSE(std::isnan(shownDirect(shows.direct, {0, 1, 0}, {0, 1, 0}).z)) << "an eye straight above";
     shows.sky = {glm::vec3(1), glm::vec3(2), glm::vec3(3), glm::vec3(4), glm::vec3(5), glm::vec3(6)};
     EXPECT_EQ(shownRise(shows.sky, 0), glm::vec3(1));
     EXPECT_EQ(shownRise(shows.sky, 1), glm::vec3(6));
