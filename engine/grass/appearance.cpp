@@ -177,7 +177,7 @@ glm::vec3 aimAlong(const FieldLight& light, const std::vector<Posed>& points, co
 }
 
 // By view, how many times as bright blades are that lie: their faces turn up, and none stands in another's light
-// (lib/blade.glsl). Over blades that stand.
+// (lib/blade.glsl). Over what slices send of those that stand.
 void addLaidGains(const Look& look, const FieldLight& light, Gains& out) {
     const auto standing = posed(look, glm::vec2(0), look.clumpLean), laid = posed(look, glm::vec2(0), 0, 1);
     const BladeShade none{.rows = {1.0f}};
@@ -192,7 +192,7 @@ void addLaidGains(const Look& look, const FieldLight& light, Gains& out) {
     for (int i = 0; i < LOOK_VIEWS; ++i) {
         const auto at = static_cast<size_t>(i);
         const glm::vec3 e = viewOf(i), bright = asBlades(laid, e, open).value();
-        out.laid[at] = quotient(bright, asBlades(standing, e, light).value());
+        out.laid[at] = quotient(bright, aimAlong(light, standing, e));
     }
 }
 

@@ -30,30 +30,51 @@ struct Places {
     size_t operator[](size_t i) const { return i * step % n; }
 };
 
-FarImage farImageOf(const SliceImages& images) {
-    FarImage out;
-    for (size_t level = 0; level < FAR_LEVELS; ++level) {
-        const SliceLevel& l = images.far[std::min(level, images.far.size() - 1)];
-        const Places places(static_cast<size_t>(l.width) * l.height, kFarTexels);
-        out[level].reserve(places.count);
-        for (size_t i = 0; i < places.count; ++i) {
-            const size_t at = places[i];
-            const glm::vec4 color = texelAt(l.reflectance, at), stored = texelAt(l.threshold, at);
-            out[level].push_back(
-                {glm::vec3(color) * images.reflectScale, color.w, texelAt(l.front, at), stored.z, stored.w});
-        }
+// How far coarser than its colour the opacity of what is drawn is read: as it is at the finest that slices are sampled,
+// for a view from above; slanted ones read coarser opacity, which is even wherever grass is dense.
+constexpr size_t kCoarser = 2;
+
+// A place of an image as filtering shows it: a mean of four texels by where between them it lies, by chance. Light that
+// is filtered is brighter than texels that face it are on average, as what faces away counts less.
+struct Filtered {
+    glm::vec4 reflectance{0}, threshold{0}, front{0}, back{0};
+};
+// layer, x, y: of the texel below and left of it; images go on to the sides, `up` too if `repeats`, else with their
+// edge.
+Filtered filteredAt(const SliceLevel& l, int layer, int x, int y, bool repeats) {
+    const uint32_t seed = f32::hash3(static_cast<uint32_t>(layer), static_cast<uint32_t>(x), static_cast<uint32_t>(y));
+    const float across = f32::hashUnit(seed), up = f32::hashUnit(f32::hashMix(seed + 1));
+    Filtered out;
+    for (int k = 0; k < 4; ++k) {
+        const int right = (x + (k & 1)) % l.width, over = y + (k >> 1),
+                  above = repeats ? over % l.height : std::min(over, l.height - 1);
+        const auto at = static_cast<size_t>((layer * l.height + above) * l.width + right);
+        const float weight = (k & 1 ? across : 1 - across) * (k >> 1 ? up : 1 - up);
+        out.reflectance += weight * texelAt(l.reflectance, at), out.threshold += weight * texelAt(l.threshold, at);
+        out.front += weight * texelAt(l.front, at), out.back += weight * texelAt(l.back, at);
     }
     return out;
 }
+float opacityAt(const SliceLevel& coarse, const SliceLevel& l, int layer, int x, int y) {
+    const int at = (layer * coarse.height + y * coarse.height / l.height) * coarse.width + x * coarse.width / l.width;
+    return coarse.threshold[4 * static_cast<size_t>(at) + 1] / 255.0f;
+}
 
-SliceTexel standingTexel(const SliceLevel& l, size_t i, float reflectScale, float opacity) {
-    const glm::vec4 color = texelAt(l.reflectance, i), stored = texelAt(l.threshold, i), front = texelAt(l.front, i),
-                    back = texelAt(l.back, i);
-    return {glm::vec3(color) * reflectScale,
-            color.w,
-            opacity,
-            {front.x, front.z, front.w, stored.z},
-            {back.x, back.z, back.w, stored.w}};
+FarImage farImageOf(const SliceImages& images) {
+    FarImage out;
+    const size_t last = images.far.size() - 1;
+    for (size_t level = 0; level < FAR_LEVELS; ++level) {
+        const SliceLevel &l = images.far[std::min(level, last)], &coarse = images.far[std::min(level + kCoarser, last)];
+        const Places places(static_cast<size_t>(l.width) * l.height, kFarTexels);
+        out[level].reserve(places.count);
+        for (size_t i = 0; i < places.count; ++i) {
+            const int x = static_cast<int>(places[i]) % l.width, y = static_cast<int>(places[i]) / l.width;
+            const Filtered f = filteredAt(l, 0, x, y, true);
+            out[level].push_back({glm::vec3(f.reflectance) * images.reflectScale, f.reflectance.w,
+                                  opacityAt(coarse, l, 0, x, y), f.front, f.threshold.z, f.threshold.w});
+        }
+    }
+    return out;
 }
 
 // Row `row` of the images of a level, `l`, from `layer` on, as many as there are slices along an axis. `coarse`: the
@@ -66,13 +87,15 @@ SliceRow rowOf(const SliceImages& images, const SliceLevel& l, const SliceLevel&
     for (size_t i = 0; i < places.n; ++i) {
         const int at = static_cast<int>(places[i]), x = at % l.width, y = first + at / l.width % high,
                   of = layer + at / (l.width * high);
-        const int there =
-            (of * coarse.height + y * coarse.height / l.height) * coarse.width + x * coarse.width / l.width;
-        const float opacity = coarse.threshold[4 * static_cast<size_t>(there) + 1] / 255.0f;
+        const float opacity = opacityAt(coarse, l, of, x, y);
         sum += static_cast<double>(opacity), squares += static_cast<double>(opacity * opacity);
-        if (opacity > 0 && out.texels.size() < kTexels)
-            out.texels.push_back(
-                standingTexel(l, static_cast<size_t>((of * l.height + y) * l.width + x), images.reflectScale, opacity));
+        if (!(opacity > 0) || out.texels.size() == kTexels) continue;
+        const Filtered f = filteredAt(l, of, x, y, false);
+        out.texels.push_back({glm::vec3(f.reflectance) * images.reflectScale,
+                              f.reflectance.w,
+                              opacity,
+                              {f.front.x, f.front.z, f.front.w, f.threshold.z},
+                              {f.back.x, f.back.z, f.back.w, f.threshold.w}});
     }
     out.opacity = static_cast<float>(sum / static_cast<double>(places.n));
     out.covered = sum > 0 ? static_cast<float>(squares / sum) : 0.0f;
@@ -329,6 +352,7 @@ glm::vec3 sentAlong(const RowShares& shares, const RowsSend& sends, const glm::v
 
 glm::vec3 imageSends(const std::vector<FarTexel>& image, const FieldLight& l, const glm::vec3& ambient) {
     glm::vec3 sum(0);
+    float all = 0;
     std::vector<std::array<glm::vec4, 4>> weights;
     const auto mirrored = [](const glm::vec3& d, size_t m) {
         return d * glm::vec3(m & 1 ? -1.0f : 1.0f, 1, m & 2 ? -1.0f : 1.0f);
@@ -342,9 +366,9 @@ glm::vec3 imageSends(const std::vector<FarTexel>& image, const FieldLight& l, co
         for (size_t i = 0; i < l.suns.size(); ++i)
             for (size_t m = 0; m < 4; ++m)
                 sent += 0.25f * l.suns[i].second * texelSends(t, mirrored(l.suns[i].first, m), weights[i][m], l);
-        sum += sent;
+        sum += t.shown * sent, all += t.shown;
     }
-    return sum / std::max(static_cast<float>(image.size()), 1.0f);
+    return sum / std::max(all, 1e-9f);
 }
 
 glm::vec4 imageWeights(const glm::vec3& l, LightWeighting weighting) {

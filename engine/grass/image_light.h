@@ -15,7 +15,7 @@ namespace sward {
 // What the horizontal slice's images hold of blades seen from above, a texel of some level.
 struct FarTexel {
     glm::vec3 color;     // reflectance
-    float open;          // share of ambient light that reaches it
+    float open, shown;   // share of ambient light that reaches it; how much of it shows
     glm::vec4 sides;     // light from x+, x-, z+, z-
     float above, below;  // light from above, on the side that is seen and on the other
 };
@@ -77,8 +77,7 @@ RowShares sharesSeen(const StandingImage& image, size_t level, const glm::vec3& 
 RowsSend rowsSend(const StandingImage& image, size_t level, const FieldLight& light, const glm::vec3& ambient,
                   size_t texels);
 glm::vec3 sentAlong(const RowShares& shares, const RowsSend& sends, const glm::vec3& e);
-// What an image of the horizontal slice sends, over cells that are mirrored all ways. All its texels count alike: its
-// opacity is taken over what a slanted ray crosses, which is many of them.
+// What an image of the horizontal slice sends, over cells that are mirrored all ways.
 glm::vec3 imageSends(const std::vector<FarTexel>& image, const FieldLight& light, const glm::vec3& ambient);
 // Five weights (x+, y, z+, x-; z- is what is left to 1) by a form of equations 8-13; Cosine: by the exact one, and
 // so is the published one where it has no value (B-1, B-4).

@@ -1,8 +1,8 @@
 // By how much a species' grass is brighter than its local light says, as rays have found it (reference/traced_light.h):
 // light goes from blade to blade, through leaves and up from the soil, and what is seen of blades is rather what is
 // lit. Local light knows none of that: a shadow mask, and the share of the sky by depth below the tips. Factors are of
-// the mean over all that is seen of blades, by where eye and light stand, so that they hold for blades, slices and the
-// flat tier alike. Beyond Boulanger, Pattanaik and Bouatouch 2006, section 3.3, who light slices by directions alone.
+// the mean over all that is seen of blades, by where eye and light stand; slices, which stand for all of it, take the
+// means themselves. Beyond Boulanger, Pattanaik and Bouatouch 2006, section 3.3, who light slices by directions alone.
 // Does not: trace (reference/traced_light.h), nor know how far down a blade is.
 #pragma once
 #include <array>

@@ -27,7 +27,7 @@ entity.add("turf", { GrassField = {
         rootColor = { 0.04, 0.06, 0.018 }, midColor = { 0.05, 0.12, 0.028 }, tipColor = { 0.075, 0.15, 0.04 },
     } },
 }, HybridTiers = {  -- rays at middle distance are smoother than slices, and quicker (sward cost)
-    minGeom = 1.5, maxGeom = 3.5, minBTF = 8, maxBTF = 13, tiersBy = "pixels", middleTier = "raytraced",
+    minGeom = 1.5, maxGeom = 3.5, minBTF = 8, maxBTF = 13, tiersBy = "pixels", slicePixels = 3, middleTier = "raytraced",
 } })
 entity.add("sun", { Light = { azimuthDeg = 312, elevationDeg = 40 } })
 -- A lamp on a stick that someone carries around, before the camera "low".

@@ -101,7 +101,7 @@ void main() {
     float plain = slices.reflectScale * darkened(d) * l.lighter;
     FarLit lit = FarLit(levelSun(), kLevel, position, kOnGround, slices.farAmbient * skyShare(uv),
                         sunVisible(position, kOnGround),
-                        plain * farLevel(max(length(r.dx), length(r.dy))) * farGain(seen, l.lean, laid.y, grown),
+                        plain * farLevel(max(length(r.dx), length(r.dy))) * farGain(seen, lean, l.clump, laid.y, grown),
                         plain * laidGain(lookTap(seen), laid.y), sunsHotSpot(toEye, laid.y));
     vec3 light = clamp(farRadiance(sliceLight, r, leaf, stored.zw, lit), vec3(0.0), vec3(kBrightest));
     color = vec4(mix(light, hazeColor(position), hazeShare(d)), alpha);

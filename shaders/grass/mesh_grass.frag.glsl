@@ -206,7 +206,7 @@ void main() {
     shell.turned = CONSERVING ? verticalShare(toEye.y) * abs(seen.xz) / level : vec2(1.0);
     vec3 open = ambientLight(n) / max(ambientLight(vec3(0.0, 1.0, 0.0)), vec3(1e-6));
     vec3 plain = vec3(p.lighter * darkened(far) * slices.reflectScale);
-    vec3 shown = plain * sliceGain(toEye, p.free, 0.0, false);
+    vec3 shown = plain * sliceGain(toEye, p.free - p.clump, p.clump, 0.0, false);
     shell.gain = SUN ? shown * hotSpot(slices.hotSpot, toEye, sun) * frame.sunLight * frame.sunIsUp : vec3(0.0);
     shell.ambient = shown * slices.ambient * open;
     shell.brighter = plain;
@@ -215,7 +215,7 @@ void main() {
 
     uint grain = INSIDE ? grainAt(cells + rate * (ahead + far), seen.y, far) : grainAt(cells + rate * ahead, 0.0, far);
     Sum sum = traced(shell, ray, grain);
-    addFlat(sum, shell, ray, p, plain * sliceGain(toEye, p.free, 0.0, true), open);
+    addFlat(sum, shell, ray, p, plain * sliceGain(toEye, p.free - p.clump, p.clump, 0.0, true), open);
     closeOutline(sum, ray, k, height);
     color = shownOf(sum, shell, grain);
     if (!(color.a > 0.0)) discard;

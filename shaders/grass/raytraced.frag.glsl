@@ -124,7 +124,7 @@ void main() {
     shell.turned = CONSERVING ? verticalShare(toEye.y) * abs(way.xz) / level : vec2(1.0);
     float plain = p.lighter * darkened(far) * slices.reflectScale;
     float share = lodRamp(length(shell.start), slices.minGeom, slices.geomInv);
-    vec3 shown = plain * sharedGain(toEye, share) * sliceGain(toEye, p.free, press, false);
+    vec3 shown = plain * sharedGain(toEye, share) * sliceGain(toEye, p.free - p.clump, p.clump, press, false);
     shell.gain = SUN ? shown * sunsHotSpot(toEye, press) * frame.sunLight * frame.sunIsUp : vec3(0.0);
     shell.ambient = shown * slices.ambient * skyShare(uv);
     shell.brighter = plain * laidGain(lookTap(toEye), press);

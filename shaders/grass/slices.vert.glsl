@@ -105,7 +105,8 @@ void main() {
         vec2(lodRamp(far, slices.minGeom, slices.geomInv), (1.0 - lodRamp(far, slices.minBTF, slices.btfInv)) * turned);
 
     float plain = p.lighter * darkened(far) * slices.reflectScale;
-    vec3 toEye = -foot / far, shown = plain * sharedGain(toEye, weights.x) * sliceGain(toEye, p.free, press, false);
+    vec3 toEye = -foot / far,
+         shown = plain * sharedGain(toEye, weights.x) * sliceGain(toEye, p.free - p.clump, p.clump, press, false);
     brighter = plain * laidGain(lookTap(toEye), press);
     axes = vec4(side > 0.0 ? 1.0 : -1.0, mirror, float(axis));
     images = sunImages(levelSun(), axis, axes.x, mirror);

@@ -65,32 +65,33 @@ vec3 laidGain(LookTap t, float press) {
                        slices.gains[t.view.w].laid);
     return mix(vec3(1.0), mixGains(t, bits, slices.gainScale.z), press);
 }
-// How many times as bright grass is where its blades lean so far, m per m.
-vec3 leanGain(LookTap t, vec2 lean) {
-    if (lean == vec2(0.0)) return vec3(1.0);
+// How many times as bright grass is where its blades lean so far, m per m. all: with the lean of clumps, of which each
+// place has its own: the square of that is in the means that gains were made of.
+vec3 leanGain(LookTap t, vec2 all, vec2 lean) {
+    if (all == vec2(0.0)) return vec3(1.0);
     LookGain a = slices.gains[t.view.x], b = slices.gains[t.view.y], c = slices.gains[t.view.z],
              d = slices.gains[t.view.w];
-    vec3 sum = lean.x * mixShares(t, uvec4(a.leanX, b.leanX, c.leanX, d.leanX)) +
-               lean.y * mixShares(t, uvec4(a.leanZ, b.leanZ, c.leanZ, d.leanZ)) +
+    vec3 sum = all.x * mixShares(t, uvec4(a.leanX, b.leanX, c.leanX, d.leanX)) +
+               all.y * mixShares(t, uvec4(a.leanZ, b.leanZ, c.leanZ, d.leanZ)) +
                lean.x * lean.x * mixShares(t, uvec4(a.leanXX, b.leanXX, c.leanXX, d.leanXX)) +
                lean.y * lean.y * mixShares(t, uvec4(a.leanZZ, b.leanZZ, c.leanZZ, d.leanZZ)) +
                lean.x * lean.y * mixShares(t, uvec4(a.leanXZ, b.leanXZ, c.leanXZ, d.leanXZ));
     return max(1.0 + sum, vec3(0.1));
 }
 // Factor that gives slices, in the sun's and the sky's light, the mean radiance of the blades they stand for; `lean`:
-// by paint and wind, m per m; `press`: how far they are laid down.
-vec3 sliceGain(vec3 toEye, vec2 lean, float press, bool far) {
+// by paint and wind, m per m; `clump`: by clumps where those are told apart; `press`: how far they are laid down.
+vec3 sliceGain(vec3 toEye, vec2 lean, vec2 clump, float press, bool far) {
     LookTap t = lookTap(toEye);
     LookGain a = slices.gains[t.view.x], b = slices.gains[t.view.y], c = slices.gains[t.view.z],
              d = slices.gains[t.view.w];
     vec3 gain = far ? mixGains(t, uvec4(a.above, b.above, c.above, d.above), slices.gainScale.y)
                     : mixGains(t, uvec4(a.across, b.across, c.across, d.across), slices.gainScale.x);
-    return gain * leanGain(t, lean) * laidGain(t, press);
+    return gain * leanGain(t, lean + clump, lean) * laidGain(t, press);
 }
 // sliceGain of the horizontal slice where the field's density is so: between what it is at full density and at the thin
 // one by its logarithm.
-vec3 farGain(vec3 toEye, vec2 lean, float press, float density) {
-    vec3 full = sliceGain(toEye, lean, press, true);
+vec3 farGain(vec3 toEye, vec2 lean, vec2 clump, float press, float density) {
+    vec3 full = sliceGain(toEye, lean, clump, press, true);
     if (!GRASS_DENSITY || density >= 1.0) return full;
     LookTap t = lookTap(toEye);
     uvec4 dense = uvec4(slices.gains[t.view.x].above, slices.gains[t.view.y].above, slices.gains[t.view.z].above,

@@ -25,6 +25,7 @@ struct BladeStand {
 // What that makes of it.
 struct BladeLean {
     vec2 free;     // lean without forces
+    vec2 clump;    // what of that is by clumps
     vec2 lean;     // all of it, as poseBlade takes it
     real scale;    // of its height
     real lighter;  // factor of its colour
@@ -51,7 +52,8 @@ FN BladeStand emptyStand() {
 // Sums are taken in one order, and what a place has not adds nothing, to the last bit.
 FN BladeLean leanOf(BladeStand s, vec2 facing) {
     BladeLean l;
-    l.free = s.paint * s.leanAtFull + s.breeze + vec2(s.clump.x, s.clump.y) * s.clumpLean + s.wind;
+    l.clump = vec2(s.clump.x, s.clump.y) * s.clumpLean;
+    l.free = s.paint * s.leanAtFull + s.breeze + l.clump + s.wind;
     l.lean = forcedLean(l.free, s.push, s.press, facing);
     l.scale = (1.0f + s.clump.z * s.clumpHeight) * s.tall;
     l.lighter = 1.0f + s.clump.z * s.clumpLightness;

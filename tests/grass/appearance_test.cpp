@@ -37,7 +37,7 @@ DrawnImages imagesFacingX() {
     const SliceTexel texel{{0.1f, 0.2f, 0.05f}, 1, 1, {1, 0, 0, 0}, {1, 0, 0, 0}};
     for (SliceRows& level : out.standing.levels) level[0].fill({{texel}, 1, 1});
     out.standing.top = 0.2f, out.stand.apart = 0.05f;
-    out.far.fill({{texel.color, 1, {}, 0, 0}});
+    out.far.fill({{texel.color, 1, 1, {}, 0, 0}});
     return out;
 }
 DrawnImages imagesOf(const Species& s) {
@@ -183,6 +183,37 @@ TEST(Appearance, ALeanChangesEachColourByItself) {
     for (const auto& lean : g.leans)
         for (const glm::vec3& share : lean) apart = std::max(apart, std::abs(share.z - share.y));
     EXPECT_GT(apart, 0.1f) << "the highlight is white, the leaf hardly blue";
+}
+
+// Paths have seen grass that leans along x from all around: what a lean any way comes to is read by its angle to the
+// eye.
+TEST(Appearance, ALeanIsWhatPathsHaveSeenOfIt) {
+    TracedLight traced;
+    traced.shows.direct.fill(glm::vec3(0.2f)), traced.shows.sky.fill(glm::vec3(0.1f));
+    LeaningShows& leaning = traced.leaning;
+    leaning.lean = 0.5f;
+    const float terms[] = {0.25f, 0.06f, -0.04f, 0.03f, 0.02f};
+    for (size_t k = 0; k < kTracedLeans; ++k) leaning.direct[k].fill(glm::vec3(terms[k]));
+    leaning.sky[0].fill(glm::vec3(0.15f));
+    const BladeShade shade{.rows = {1.0f}};
+    FieldLight l = lit({0.3f, 1, 0.8f}, LightWeighting::Cosine, glm::vec3(0.5f));
+    l.traced = &traced, l.shade = &shade, l.lean = 0.5f;
+    const Gains g = gainsFor({}, l);
+    const float sun = 2.5f, sky = 0.5f, upright = sun * 0.2f + sky * 0.1f;
+    for (const size_t azimuth : {0, 1, 3, 6})
+        for (const float way : {0.0f, 0.9f, 2.5f, 4.2f}) {
+            const size_t view = azimuth + 3 * LOOK_AZIMUTHS;
+            const float eye = 6.2831853f / LOOK_AZIMUTHS * static_cast<float>(azimuth), angle = way - eye,
+                        side = std::cos(eye) * 0.8f - std::sin(eye) * 0.3f < 0 ? -1.0f : 1.0f;  // the sun's
+            const float want = sun * (terms[0] + terms[1] * std::cos(angle) + side * terms[2] * std::sin(angle) +
+                                      terms[3] * std::cos(2 * angle) + side * terms[4] * std::sin(2 * angle)) +
+                               sky * 0.15f;
+            const float x = 0.5f * std::cos(way), z = 0.5f * std::sin(way);
+            const float factors[] = {x, z, x * x, z * z, x * z};
+            float got = 1;
+            for (size_t k = 0; k < std::size(factors); ++k) got += factors[k] * g.leans[k][view].y;
+            EXPECT_NEAR(got, want / upright, 0.01f) << "eye " << eye << ", lean " << way;
+        }
 }
 
 TEST(Appearance, LightLeftIsAShareAndLessTheDenserAndTheLowerTheLight) {

@@ -73,6 +73,27 @@ TEST(TracedLightOf, UprightBladesHaveMoreOfASkyThatIsBrightAtTheHorizonTheMoreTh
     EXPECT_LT(among.soilTilt, 0.1 * among.soilSky) << "light comes down to the soil from above";
 }
 
+// Blades that lean towards the light show the eye above it their undersides; those that lean away, their lit faces.
+TEST(TracedLightOf, LeaningGrassIsTracedWhereItIsAskedForAndTellsWhichWayItLeans) {
+    TracedSpec spec = coloured(0.2f, 0);
+    EXPECT_EQ(tableOf(spec).lean, 0);
+    spec.leans = true, spec.species.species.leanDeg = 30;
+    const TracedTable t = tableOf(spec);
+    EXPECT_NEAR(t.lean, std::tan(glm::radians(30.0f)), 1e-5f);
+    const LeaningShows shows = fitTraced(t).leaning;
+    const auto sends = [&](float lean, size_t direction) {
+        const float terms[] = {1, std::cos(lean), std::sin(lean), std::cos(2 * lean), std::sin(2 * lean)};
+        float sum = 0;
+        for (size_t k = 0; k < kTracedLeans; ++k) sum += terms[k] * shows.direct[k][direction].y;
+        return sum;
+    };
+    const size_t view = 3, light = 3, behindTheEye = (view * kTracedLights + light) * kTracedTurns;
+    EXPECT_GT(sends(3.14f, behindTheEye), 1.1f * sends(0, behindTheEye));
+    TracedSpec plain = spec;
+    plain.leans = false;
+    EXPECT_NE(tracedKey(plain), tracedKey(spec));
+}
+
 TEST(TracedLightOf, IsTheSameEachTime) {
     const TracedTable a = tableOf(dense(), 48), b = tableOf(dense(), 48);
     for (size_t view = 0; view < kTracedViews; ++view) {
