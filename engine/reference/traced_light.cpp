@@ -1,5 +1,6 @@
 #include "reference/traced_light.h"
 
+#include <cstddef>
 #include <cstring>
 
 #include "core/cache_file.h"
@@ -19,7 +20,7 @@
 namespace sward {
 namespace {
 
-constexpr uint32_t kVersion = 10;  // of the method: another one gives other factors
+constexpr uint32_t kVersion = 11;  // of the method: another one gives other factors
 constexpr int kRays = 2000;        // that meet a blade, a view
 constexpr int kParts = 16;         // of a view's rays, each with its own sums, so that any number of threads adds alike
 constexpr int kMostBounces = 12;
@@ -277,18 +278,21 @@ static_assert(sizeof(TracedLight) == kNumbers * sizeof(float));
 std::filesystem::path tracedFile(const std::filesystem::path& folder, uint64_t key) {
     return folder / "traced" / (hashHex(key) + ".traced");
 }
+size_t bytesOf(bool leaning) { return leaning ? sizeof(TracedLight) : offsetof(TracedLight, leaning); }
 std::optional<TracedLight> parse(const std::string& bytes, std::string& wrong) {
     uint64_t sum;
-    if (bytes.size() != sizeof(TracedLight) + sizeof(sum)) return wrong = "it is truncated", std::nullopt;
-    std::memcpy(&sum, bytes.data() + sizeof(TracedLight), sizeof(sum));
-    if (sum != hashBytes(bytes.data(), sizeof(TracedLight))) return wrong = "it is damaged", std::nullopt;
+    const size_t size = bytes.size() - std::min(bytes.size(), sizeof(sum));
+    if (size != bytesOf(false) && size != bytesOf(true)) return wrong = "it is truncated", std::nullopt;
+    std::memcpy(&sum, bytes.data() + size, sizeof(sum));
+    if (sum != hashBytes(bytes.data(), size)) return wrong = "it is damaged", std::nullopt;
     TracedLight out;
-    std::memcpy(&out, bytes.data(), sizeof(out));
+    std::memcpy(&out, bytes.data(), size);
     return out;
 }
 void keep(const std::filesystem::path& file, const TracedLight& light) {
-    const uint64_t sum = hashBytes(&light, sizeof(light));
-    std::string bytes(reinterpret_cast<const char*>(&light), sizeof(light));
+    const size_t size = bytesOf(light.leaning.lean > 0);
+    const uint64_t sum = hashBytes(&light, size);
+    std::string bytes(reinterpret_cast<const char*>(&light), size);
     bytes.append(reinterpret_cast<const char*>(&sum), sizeof(sum));
     writeCached(file, "traced light", bytes);
 }

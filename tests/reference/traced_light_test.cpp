@@ -162,6 +162,19 @@ TEST(TracedLightOf, IsKeptAndADamagedFileIsMadeAnew) {
     EXPECT_EQ(tracedKey(other), tracedKey(spec)) << "its slices are not read";
 }
 
+TEST(TracedLightOf, OfLeaningGrassIsKeptWhole) {
+    const TempDir folder;
+    TracedSpec spec = coloured(0.2f, 0);
+    spec.leans = true, spec.species.species.leanDeg = 30, spec.species.species.bladesPerM2 = 400;
+    JobControl control;
+    const auto made = tracedLight(folder.path, spec, control), again = tracedLight(folder.path, spec, control);
+    ASSERT_TRUE(made && again);
+    EXPECT_GT(made->leaning.lean, 0);
+    EXPECT_EQ(again->leaning.direct, made->leaning.direct);
+    EXPECT_EQ(again->leaning.sky, made->leaning.sky);
+    EXPECT_EQ(again->soilSky, made->soilSky);
+}
+
 TEST(TracedLightOf, EndsWhenItIsCancelled) {
     const TempDir folder;
     JobControl control;
