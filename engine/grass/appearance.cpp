@@ -283,7 +283,7 @@ void addLocalLeans(const Look& whole, const FieldLight& light, Gains& out) {
         const glm::vec3 e = viewOf(i), upright = asBlades(standing, e, light).value();
         std::array<glm::vec3, 6> more;
         for (size_t k = 0; k < more.size(); ++k)
-            more[k] = glm::clamp(quotient(asBlades(leant[k], e, light).value(), upright) - 1.0f, -0.9f, 2.0f);
+            more[k] = glm::clamp(quotient(asBlades(leant[k], e, light).value(), upright) - 1.0f, -0.9f, 0.9f);
         const auto both = [&](size_t k) { return 0.5f * (more[k] + more[k + 1]) / square; };
         const LeanShares shares{0.5f * (more[0] - more[1]) / light.lean, 0.5f * (more[2] - more[3]) / light.lean,
                                 both(0), both(2), 2.0f * both(4) - both(0) - both(2)};

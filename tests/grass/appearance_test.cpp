@@ -165,7 +165,7 @@ TEST(Appearance, PaintTowardsTheLightAndAwayFromItChangesBrightnessOppositely) {
     for (size_t view = 0; view < LOOK_VIEWS; ++view) {
         const float change = std::abs(g.leans[0][view].y) * l.lean;
         most = std::max(most, change);
-        EXPECT_LE(change, 1.5f);
+        EXPECT_LE(change, 0.9f);
     }
     EXPECT_GT(most, 0.02f) << "painted lean along the light changes nothing";
     l.lean = 0;
