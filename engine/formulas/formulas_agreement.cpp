@@ -214,6 +214,13 @@ void addLeafRows(std::vector<FormulaRow>& rows) {
         .ours = BODY(vec3 c = leafThrough(vec3(x[0], x[1], x[2])); y[0] = c.x; y[1] = c.y; y[2] = c.z;),
         .samples = listed({{0, 0, 0}, {1, 1, 1}, {0.05, 0.12, 0.03}}), .tolerance = 1e-6, .low = 0, .high = 1.2
     });
+    rows.push_back({
+        .name = "light from blade to blade under paint", .inputs = 4, .outputs = 1,
+        .ours = BODY(y[0] = paintScatters(vec3(x[0], x[0], x[0]), vec3(x[1], x[1], x[1]), x[2], x[3]).y;),
+        .samples = listed({{0.125, 0.125, 0.5, 0.625}, {0.125, 0.75, 0, 0}, {0, 0.75, 0, 0.5}, {0, 1, 1, 0.9375}},
+                          {{1}, {1}, {1.6}, {16}}),
+        .tolerance = 1e-5, .low = 0, .high = 20.1
+    });
 }
 
 }  // namespace

@@ -147,29 +147,24 @@ glm::vec3 lampHotSpot(const TracedFactors& traced) {
     return glm::inverse(glm::transpose(rises)) * shares;
 }
 
-// height: as lookHeight has it, in [0, 1].
-glm::vec3 directionOf(float azimuth, float height) {
-    const float rise = 0.7853982f + std::asin((2 * height * height - 1) * 0.7071068f),
-                y = std::clamp(std::sin(rise), kLeast, 0.999f), level = std::sqrt(1 - y * y);
-    return {level * std::cos(azimuth), y, level * std::sin(azimuth)};
-}
-glm::vec3 viewOf(int i) {
-    return directionOf(6.2831853f * static_cast<float>(i % LOOK_AZIMUTHS) / LOOK_AZIMUTHS,
-                       static_cast<float>(i / LOOK_AZIMUTHS) / (LOOK_ELEVATIONS - 1));
-}
-
 // Where there is no light, 1.
 float quotient(float a, float b, float least = 0.02f) { return b > 1e-9f ? std::clamp(a / b, least, 5.0f) : 1.0f; }
 glm::vec3 quotient(const glm::vec3& a, const glm::vec3& b) {
     return {quotient(a.x, b.x), quotient(a.y, b.y), quotient(a.z, b.z)};
 }
 
-// What slices are to send along e: what rays have seen blades send, where they were traced.
-glm::vec3 aimAlong(const FieldLight& light, const std::vector<Posed>& points, const glm::vec3& e) {
-    if (!light.traced || !light.shade) return asBlades(points, e, light).value();
-    const TracedShows& shows = light.traced->shows;
+// Whether what paths have seen holds: they know no sun that shines through blades.
+bool asTraced(const FieldLight& light) { return light.traced && (light.shade || light.suns.empty()); }
+
+glm::vec3 tracedShow(const TracedShows& shows, const FieldLight& light, const glm::vec3& e) {
     glm::vec3 sum = light.sky * shownRise(shows.sky, e.y) + light.ground * shownRise(shows.ground, e.y);
     for (const auto& [direction, color] : light.suns) sum += color * shownDirect(shows.direct, e, direction);
+    return sum;
+}
+// What slices are to send along e: what rays have seen blades send, where they were traced.
+glm::vec3 aimAlong(const FieldLight& light, const std::vector<Posed>& points, const glm::vec3& e) {
+    if (!asTraced(light)) return asBlades(points, e, light).value();
+    const glm::vec3 sum = tracedShow(light.traced->shows, light, e);
     if (light.density == 1) return sum;
     FieldLight full = light;
     full.density = 1;
@@ -191,23 +186,22 @@ void addLaidGains(const Look& look, const FieldLight& light, Gains& out) {
     if (light.shade) open.shade = &none;
     for (int i = 0; i < LOOK_VIEWS; ++i) {
         const auto at = static_cast<size_t>(i);
-        const glm::vec3 e = viewOf(i), bright = asBlades(laid, e, open).value();
+        const glm::vec3 e = lookView(i), bright = asBlades(laid, e, open).value();
         out.laid[at] = quotient(bright, aimAlong(light, standing, e));
     }
 }
 
-// Where the gains of vertical slices hold; the level of each view's gain, and how many texels of a row are read.
-constexpr size_t kShownLevel = 1, kRowTexels = 64;
+constexpr size_t kRowTexels = 64;  // that are read of a row
 
 // By how much brighter each level is drawn than it says, so that all are as bright as the first.
 void addLevels(const DrawnImages& images, const FieldLight& light, Gains& out) {
     const glm::vec3 far = imageSends(images.far[0], light, out.farAmbient);
     for (size_t i = 1; i < FAR_LEVELS; ++i)
         out.farLevels[i] = quotient(luminance(far), luminance(imageSends(images.far[i], light, out.farAmbient)));
-    const glm::vec3 e = directionOf(0.4f, 0.6f);
     const auto shown = [&](size_t level) {
-        return luminance(sentAlong(sharesSeen(images.standing, level, e, images.stand),
-                                   rowsSend(images.standing, level, light, out.sliceAmbient, kRowTexels), e));
+        return luminance(sentAlong(images.shown.levels[level],
+                                   rowsSend(images.standing, level, light, out.sliceAmbient, kRowTexels, 0),
+                                   kUsualView));
     };
     const float first = shown(kShownLevel);
     for (size_t i = 0; i < SLICE_LEVELS; ++i) out.sliceLevels[i] = quotient(first, shown(i));
@@ -215,14 +209,10 @@ void addLevels(const DrawnImages& images, const FieldLight& light, Gains& out) {
 
 // By how much brighter slices are drawn that stand for a few of the blades: they show what stands lower.
 void addThinner(const DrawnImages& images, const RowsSend& rows, Gains& out) {
-    SliceStand few = images.stand;
-    few.density = kThinDensity;
     for (size_t i = 0; i < LOOK_ELEVATIONS; ++i) {
-        const glm::vec3 e = directionOf(0.4f, static_cast<float>(i) / (LOOK_ELEVATIONS - 1));
-        const auto shown = [&](const SliceStand& stand) {
-            return luminance(sentAlong(sharesSeen(images.standing, kShownLevel, e, stand), rows, e));
-        };
-        out.thinner[i] = quotient(shown(images.stand), shown(few));
+        const glm::vec3 e = usualView(i);
+        out.thinner[i] = quotient(luminance(sentAlong(images.shown.full[i], rows, e)),
+                                  luminance(sentAlong(images.shown.thin[i], rows, e)));
     }
 }
 
@@ -280,7 +270,7 @@ void addLocalLeans(const Look& whole, const FieldLight& light, Gains& out) {
     for (size_t k = 0; k < leant.size(); ++k) leant[k] = posed(look, light.lean * kWays[k], look.clumpLean);
     const float square = light.lean * light.lean;
     for (int i = 0; i < LOOK_VIEWS; ++i) {
-        const glm::vec3 e = viewOf(i), upright = asBlades(standing, e, light).value();
+        const glm::vec3 e = lookView(i), upright = asBlades(standing, e, light).value();
         std::array<glm::vec3, 6> more;
         for (size_t k = 0; k < more.size(); ++k)
             more[k] = glm::clamp(quotient(asBlades(leant[k], e, light).value(), upright) - 1.0f, -0.9f, 0.9f);
@@ -292,10 +282,32 @@ void addLocalLeans(const Look& whole, const FieldLight& light, Gains& out) {
 }
 
 void addLeans(const Look& look, const FieldLight& light, Gains& out) {
-    if (!light.traced || !light.shade || !(light.traced->leaning.lean > 0)) return addLocalLeans(look, light, out);
+    if (!asTraced(light) || !(light.traced->leaning.lean > 0)) return addLocalLeans(look, light, out);
     for (int i = 0; i < LOOK_VIEWS; ++i) {
-        const LeanShares shares = tracedLeans(light, viewOf(i));
+        const LeanShares shares = tracedLeans(light, lookView(i));
         for (size_t k = 0; k < shares.size(); ++k) out.leans[k][static_cast<size_t>(i)] = shares[k];
+    }
+}
+
+// By how much paint is brighter on slices than their gains for blades' own colours make it.
+void addPaint(const std::vector<Posed>& standing, const DrawnImages& images, const FieldLight& light, Gains& out) {
+    const glm::vec3 color(TRACED_GREY);
+    std::vector<Posed> grey = standing;
+    for (Posed& p : grey) p.color = color;
+    const DrawnImages greys = colored(images, kShownLevel, color);
+    const RowsSend rows =
+        rowsSend(greys.standing, kShownLevel, light, out.sliceAmbient, kRowTexels, out.sliceLevels[kRestLevel]);
+    const glm::vec3 far = imageSends(greys.far[0], light, out.farAmbient);
+    FieldLight dull = light;
+    dull.gloss = 0;  // highlights are not painted
+    for (int i = 0; i < LOOK_VIEWS; ++i) {
+        const auto at = static_cast<size_t>(i);
+        const glm::vec3 e = lookView(i), aim = asTraced(light) ? tracedShow(light.traced->grey, light, e)
+                                                               : asBlades(grey, e, dull).value();
+        const float bare = luminance(asBlades(grey, e, dull).value());
+        out.shine[at] = float(TRACED_GREY) * (quotient(luminance(asBlades(grey, e, light).value()), bare) - 1);
+        out.paintAbove[at] = quotient(aim, far * out.far[at]);
+        out.paintAcross[at] = quotient(aim, sentAlong(images.shown.views[at], rows, e) * out.slices[at]);
     }
 }
 
@@ -351,22 +363,24 @@ Gains gainsOf(const Look& look, const FieldLight& light, const DrawnImages& imag
     if (light.traced && light.lampsCast) out.lampHotSpot = lampHotSpot(light.traced->blades);
     out.sliceAmbient = 0.5f * (light.sky + light.ground);
     out.farAmbient = 0.25f * light.ground + 0.75f * light.sky;
-    out.laid.fill(glm::vec3(1));
+    for (auto* factors : {&out.laid, &out.paintAcross, &out.paintAbove}) factors->fill(glm::vec3(1));
+    if (light.traced) out.recollision = light.traced->recollision;
     if (light.pressed) addLaidGains(look, light, out);
     addLevels(images, light, out);
     FieldLight sparse = light;
     sparse.density = kThinDensity;
     const auto standing = posed(look, glm::vec2(0), look.clumpLean);
     const glm::vec3 far = imageSends(images.far[0], light, out.farAmbient);
-    const RowsSend rows = rowsSend(images.standing, kShownLevel, light, out.sliceAmbient, kRowTexels);
+    const RowsSend rows =
+        rowsSend(images.standing, kShownLevel, light, out.sliceAmbient, kRowTexels, out.sliceLevels[kRestLevel]);
     addThinner(images, rows, out);
     for (size_t i = 0; i < LOOK_VIEWS; ++i) {
-        const glm::vec3 e = viewOf(static_cast<int>(i)), aim = aimAlong(light, standing, e);
-        const RowShares shares = sharesSeen(images.standing, kShownLevel, e, images.stand);
-        out.slices[i] = quotient(aim, sentAlong(shares, rows, e));
+        const glm::vec3 e = lookView(i), aim = aimAlong(light, standing, e);
+        out.slices[i] = quotient(aim, sentAlong(images.shown.views[i], rows, e));
         out.far[i] = quotient(aim, far);
         out.thin[i] = light.painted ? quotient(aimAlong(sparse, standing, e), far) : glm::vec3(1);
     }
+    if (light.tinted) addPaint(standing, images, light, out);
     if (light.lean > 0) addLeans(look, light, out);
     return out;
 }
@@ -382,15 +396,15 @@ LampGains lampGainsOf(const Look& look, FieldLight leaves, const DrawnImages& im
     std::array<std::array<RowShares, LAMP_ELEVATIONS>, 2> shown;
     for (size_t k = 0; k < std::size(kAzimuths); ++k)
         for (size_t i = 0; i < LAMP_ELEVATIONS; ++i)
-            shown[k][i] = sharesSeen(images.standing, kLampLevel, directionOf(kAzimuths[k], share(i)), images.stand);
+            shown[k][i] = sharesSeen(images.standing, kLampLevel, lookDirection(kAzimuths[k], share(i)), images.stand);
     LampGains out;
     for (size_t i = 0; i < out.size(); ++i) {
         const float between = std::acos(1 - 2 * static_cast<float>(i % LAMP_AZIMUTHS) / (LAMP_AZIMUTHS - 1));
         const size_t eye = i / LAMP_AZIMUTHS % LAMP_ELEVATIONS;
         glm::vec3 aim(0), vertical(0), horizontal(0);
         for (size_t k = 0; k < std::size(kAzimuths); ++k) {
-            const glm::vec3 e = directionOf(kAzimuths[k], share(eye)),
-                            lamp = directionOf(kAzimuths[k] + between, share(i / (LAMP_AZIMUTHS * LAMP_ELEVATIONS)));
+            const glm::vec3 e = lookDirection(kAzimuths[k], share(eye)),
+                            lamp = lookDirection(kAzimuths[k] + between, share(i / (LAMP_AZIMUTHS * LAMP_ELEVATIONS)));
             leaves.suns = seen.suns = {{lamp, glm::vec3(1)}};
             aim += aimAlong(leaves, standing, e);
             vertical +=

@@ -54,6 +54,9 @@ struct Gains {
                                                     // further down, where others shade less
     // rgb: how many times as bright blades that are pressed down are as those that stand; 1 where none may be.
     std::array<glm::vec3, LOOK_VIEWS> laid;
+    // By how much paint is drawn brighter, as LookGain has it; 1 where there is none.
+    std::array<glm::vec3, LOOK_VIEWS> paintAcross, paintAbove;
+    std::array<float, LOOK_VIEWS> shine{};  // highlights on paint, likewise
     // By what share grass brightens as its blades lean, as LookGain has it: x, z, xx, zz, xz.
     std::array<std::array<glm::vec3, LOOK_VIEWS>, 5> leans{};
     // As SliceGlobals has them.
@@ -62,6 +65,7 @@ struct Gains {
     std::array<float, LOOK_ELEVATIONS> thinner{1, 1, 1, 1, 1, 1, 1, 1};
     glm::vec3 sliceAmbient, farAmbient;    // ambient light that their texels are taken to receive
     glm::vec3 hotSpot{0}, lampHotSpot{0};  // as SliceGlobals has them
+    float recollision = 0;                 // likewise
 };
 // Factors by which slices and pressed blades are drawn so that they are as bright as blades drawn one by one.
 Gains gainsOf(const Look& look, const FieldLight& light, const DrawnImages& images);

@@ -27,6 +27,7 @@ struct FieldLight {
     float density = 1;                                  // of the field there
     bool painted = false;                               // whether its density is: gains of thin grass are wanted
     float lean = 0;          // that paint or wind gives, m per m: where their change is taken; 0: neither is there
+    bool tinted = false;     // whether its colour is painted
     bool pressed = false;    // whether something may press blades down
     bool lampsCast = false;  // whether lamps do, so that blades shade blades in their light
 };

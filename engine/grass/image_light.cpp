@@ -11,7 +11,7 @@
 namespace sward {
 namespace {
 
-constexpr int kRays = 64;              // of a view
+constexpr int kRays = 256;             // of a view
 constexpr size_t kTexels = 64;         // that are kept of a row
 constexpr size_t kFarTexels = 4096;    // of a level of the horizontal slice: a change of light takes a millisecond
 constexpr float kSeenThrough = 0.02f;  // at which a ray ends
@@ -196,7 +196,7 @@ glm::vec3 rowSends(const SliceRow& row, const FieldLight& l, const glm::vec3& am
 // --- what a view shows -----------------------------------------------------------------------------------------------
 // A slice that a ray meets: which, and its share of the ray's light.
 struct MetRow {
-    size_t axis = 0, row = 0;
+    size_t set = 0, row = 0;
     float share = 0;
 };
 // What a ray has met.
@@ -207,7 +207,7 @@ struct Walked {
     void meet(MetRow met, float alpha) {
         met.share = through * alpha;
         through -= met.share;
-        shares[met.axis][met.row] += met.share;
+        shares[met.set][met.row] += met.share;
         if (met.share > most.share)
             next = most, most = met;
         else if (met.share > next.share)
@@ -216,7 +216,7 @@ struct Walked {
 };
 // A view of slices at a level of what is lit.
 struct SliceSight {
-    const SliceRows& rows;
+    const SliceRows &rows, &restRows;
     float top;
     glm::vec2 falls;   // metres down from slice to slice, of those across x and across z
     glm::vec2 turned;  // share of them that shows
@@ -238,6 +238,7 @@ SliceSight sightOf(const StandingImage& image, size_t level, const glm::vec3& e,
     const glm::vec2 across(std::abs(e.x), std::abs(e.z));
     const float size = std::max(glm::length(across), 1e-4f), y = std::max(e.y, 1e-3f);
     return {image.levels[level],
+            image.levels[kRestLevel],
             image.top,
             s.apart * y / glm::max(across, glm::vec2(1e-4f)),
             std::min(s.steepest * size / y, 1.0f) * across / size,
@@ -257,7 +258,7 @@ float opacityOf(const SliceSight& s, const SliceRow& row) {
 void meetRest(const SliceSight& s, int axis, float depth, Walked& w) {
     const float left = s.top - depth, shown = 1 + left * (s.turned.x / s.falls.x + s.turned.y / s.falls.y);
     const auto a = static_cast<size_t>(axis), at = rowAt(s, depth + 0.5f * std::min(left, s.deepest));
-    w.meet({a, at, 0}, 1 - std::pow(1 - opacityOf(s, s.rows[a][at]), std::min(shown, 64.0f)));
+    w.meet({a + 2, at, 0}, 1 - std::pow(1 - opacityOf(s, s.restRows[a][at]), std::min(shown, 64.0f)));
 }
 // A ray down through the slices, over their rows by chance.
 Walked walk(const SliceSight& s, uint32_t ray) {
@@ -287,7 +288,7 @@ Walked walk(const SliceSight& s, uint32_t ray) {
 DrawnImages drawnImagesOf(const SliceImages& images, bool vertical, SliceSets sets, const SliceStand& stand) {
     DrawnImages out;
     out.far = farImageOf(images), out.stand = stand;
-    if (vertical) out.standing = standingImageOf(images, sets);
+    if (vertical) out.standing = standingImageOf(images, sets), out.shown = shownShares(out.standing, stand);
     std::vector<uint64_t> parts;
     for (const auto& level : out.far) parts.push_back(hashBytes(level.data(), level.size() * sizeof(FarTexel)));
     for (const SliceRows& level : out.standing.levels)
@@ -307,6 +308,48 @@ DrawnImages drawnImagesOf(const SliceImages& images, bool vertical, SliceSets se
     return out;
 }
 
+DrawnImages colored(const DrawnImages& images, size_t level, const glm::vec3& color) {
+    DrawnImages out;
+    out.far[0] = images.far[0];
+    for (FarTexel& t : out.far[0]) t.color = color;
+    for (const size_t of : {level, kRestLevel}) {
+        out.standing.levels[of] = images.standing.levels[of];
+        for (auto& axis : out.standing.levels[of])
+            for (SliceRow& row : axis)
+                for (SliceTexel& t : row.texels) t.color = color;
+    }
+    return out;
+}
+
+glm::vec3 lookDirection(float azimuth, float height) {
+    constexpr float kFlattest = 0.03f;  // sine of the lowest view
+    const float rise = 0.7853982f + std::asin((2 * height * height - 1) * 0.7071068f),
+                y = std::clamp(std::sin(rise), kFlattest, 0.999f), level = std::sqrt(1 - y * y);
+    return {level * std::cos(azimuth), y, level * std::sin(azimuth)};
+}
+glm::vec3 lookView(size_t i) {
+    return lookDirection(6.2831853f * static_cast<float>(i % LOOK_AZIMUTHS) / LOOK_AZIMUTHS,
+                         static_cast<float>(i / LOOK_AZIMUTHS) / (LOOK_ELEVATIONS - 1));
+}
+
+ShownShares shownShares(const StandingImage& image, const SliceStand& stand) {
+    ShownShares out;
+    constexpr size_t kHalf = LOOK_AZIMUTHS / 2;
+    for (size_t i = 0; i < LOOK_VIEWS; ++i) {  // alike in each quarter of a turn, forth and back
+        const size_t azimuth = i % LOOK_AZIMUTHS, like = std::min(azimuth % kHalf, kHalf - azimuth % kHalf);
+        out.views[i] =
+            like < azimuth ? out.views[i - azimuth + like] : sharesSeen(image, kShownLevel, lookView(i), stand);
+    }
+    SliceStand all = stand, few = stand;
+    all.traced = false, few.density = 1.0f / THIN_DENSITY;
+    for (size_t i = 0; i < SLICE_LEVELS; ++i) out.levels[i] = sharesSeen(image, i, kUsualView, all);
+    for (size_t i = 0; i < LOOK_ELEVATIONS; ++i) {
+        out.full[i] = sharesSeen(image, kShownLevel, usualView(i), stand);
+        out.thin[i] = sharesSeen(image, kShownLevel, usualView(i), few);
+    }
+    return out;
+}
+
 RowShares sharesSeen(const StandingImage& image, size_t level, const glm::vec3& e, const SliceStand& stand) {
     RowShares out{};
     float all = 0;
@@ -317,36 +360,40 @@ RowShares sharesSeen(const StandingImage& image, size_t level, const glm::vec3& 
         if (!(both > 0)) continue;
         all += 1 - w.through;
         if (stand.traced)
-            for (const MetRow& m : {w.most, w.next}) out[m.axis][m.row] += m.share / both * (1 - w.through);
+            for (const MetRow& m : {w.most, w.next}) out[m.set][m.row] += m.share / both * (1 - w.through);
         else
-            for (size_t axis = 0; axis < 2; ++axis)
-                for (size_t row = 0; row < kSliceRows; ++row) out[axis][row] += w.shares[axis][row];
+            for (size_t set = 0; set < out.size(); ++set)
+                for (size_t row = 0; row < kSliceRows; ++row) out[set][row] += w.shares[set][row];
     }
-    for (auto& axis : out)
-        for (float& share : axis) share /= std::max(all, 1e-9f);
+    for (auto& set : out)
+        for (float& share : set) share /= std::max(all, 1e-9f);
     return out;
 }
 
 RowsSend rowsSend(const StandingImage& image, size_t level, const FieldLight& light, const glm::vec3& ambient,
-                  size_t texels) {
-    RowsSend out;
+                  size_t texels, float rest) {
+    RowsSend out{};
     for (int axis = 0; axis < 2; ++axis)
         for (const bool before : {false, true}) {
             std::vector<SliceSun> suns;
             for (size_t i = 0; i < light.suns.size(); ++i)
                 for (const bool turned : {false, true}) suns.push_back(sunOn(light, i, axis, before, turned));
-            for (size_t row = 0; row < kSliceRows; ++row)
-                out[static_cast<size_t>(axis)][before][row] =
-                    rowSends(image.levels[level][static_cast<size_t>(axis)][row], light, ambient, suns, texels);
+            const auto at = static_cast<size_t>(axis);
+            for (size_t row = 0; row < kSliceRows; ++row) {
+                out[at][before][row] = rowSends(image.levels[level][at][row], light, ambient, suns, texels);
+                if (rest > 0)
+                    out[at + 2][before][row] =
+                        rest * rowSends(image.levels[kRestLevel][at][row], light, ambient, suns, texels);
+            }
         }
     return out;
 }
 
 glm::vec3 sentAlong(const RowShares& shares, const RowsSend& sends, const glm::vec3& e) {
     glm::vec3 sum(0);
-    for (size_t axis = 0; axis < 2; ++axis)
+    for (size_t set = 0; set < shares.size(); ++set)
         for (size_t row = 0; row < kSliceRows; ++row)
-            sum += shares[axis][row] * sends[axis][(axis == 0 ? e.x : e.z) > 0][row];
+            sum += shares[set][row] * sends[set][(set % 2 == 0 ? e.x : e.z) > 0][row];
     return sum;
 }
 

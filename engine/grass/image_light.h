@@ -56,26 +56,54 @@ struct SliceStand {
     float sharpness = 0;     // levels by which slices are sampled finer than a pixel
     bool restShown = false;  // whether the rest is its mean
 };
-// Of what is seen along a direction, by axis and row: shares that sum to 1, or to 0 where nothing is.
-using RowShares = std::array<std::array<float, kSliceRows>, 2>;
-// What rows send, by axis, by side of the eye (behind its axis, before it), by row.
-using RowsSend = std::array<std::array<std::array<glm::vec3, kSliceRows>, 2>, 2>;
+// Rows come in sets: of slices across x and across z, and of both what stands for the rest of a ray, at this level.
+inline constexpr size_t kRowSets = 4, kRestLevel = 4;
+// Of what is seen along a direction, by set and row: shares that sum to 1, or to 0 where nothing is.
+using RowShares = std::array<std::array<float, kSliceRows>, kRowSets>;
+// What rows send, by set, by side of the eye (behind its axis, before it), by row.
+using RowsSend = std::array<std::array<std::array<glm::vec3, kSliceRows>, 2>, kRowSets>;
+
+// Where the gains of vertical slices hold: the level of what is lit.
+inline constexpr size_t kShownLevel = 1;
+// The i-th of the tabulated views (appearance.h, Gains), towards the eye, unit.
+glm::vec3 lookView(size_t i);
+// A direction of this azimuth (radians from x towards z) and height as lookHeight has it, in [0, 1].
+glm::vec3 lookDirection(float azimuth, float height);
+// A view of this elevation that lies along neither axis.
+inline glm::vec3 usualView(size_t elevation) {
+    return lookDirection(0.4f, static_cast<float>(elevation) / (LOOK_ELEVATIONS - 1));
+}
+inline const glm::vec3 kUsualView = lookDirection(0.4f, 0.6f);
+// What vertical slices show: to the tabulated views; by level to the usual one, without what stands for a ray's rest;
+// and by elevation, where they stand for all of the blades and for one in THIN_DENSITY.
+struct ShownShares {
+    std::array<RowShares, LOOK_VIEWS> views{};
+    std::array<RowShares, SLICE_LEVELS> levels{};
+    std::array<RowShares, LOOK_ELEVATIONS> full{}, thin{};
+};
+// All of them for images that stand so.
+ShownShares shownShares(const StandingImage& image, const SliceStand& stand);
 
 // All that gains are told from, in a few hundred kilobytes.
 struct DrawnImages {
     FarImage far;
     StandingImage standing;
     SliceStand stand;
+    ShownShares shown;
     uint64_t key = 0;  // hash of all of it
 };
 // vertical: whether those are shown; sets: which of them slices across z show.
 DrawnImages drawnImagesOf(const SliceImages& images, bool vertical, SliceSets sets, const SliceStand& stand);
 
+// The finest level of the horizontal slice, this one of vertical slices and that of the rest, all of one reflectance.
+DrawnImages colored(const DrawnImages& images, size_t level, const glm::vec3& color);
+
 // e: towards the eye, unit, above the horizon; level: of detail of what is lit.
 RowShares sharesSeen(const StandingImage& image, size_t level, const glm::vec3& e, const SliceStand& stand);
-// At most so many texels of a row are read.
+// At most so many texels of a row are read; rest: by how much brighter the rest of a ray is drawn than it says.
 RowsSend rowsSend(const StandingImage& image, size_t level, const FieldLight& light, const glm::vec3& ambient,
-                  size_t texels);
+                  size_t texels, float rest = 1);
+// The mean of what rows send by their shares; e: towards the eye, which side of the slices is seen.
 glm::vec3 sentAlong(const RowShares& shares, const RowsSend& sends, const glm::vec3& e);
 // What an image of the horizontal slice sends, over cells that are mirrored all ways.
 glm::vec3 imageSends(const std::vector<FarTexel>& image, const FieldLight& light, const glm::vec3& ambient);

@@ -33,6 +33,7 @@ FieldLight fieldLight(const DrawContext& ctx, const GrownField& f, size_t index)
     if (has(features, Feature::Wind))
         l.lean = std::max(l.lean, std::clamp(windStrength(*firstOf<Wind>(ctx.project), s), 0.25f, 0.6f));
     l.painted = has(features, Feature::GrassDensity);
+    l.tinted = has(features, Feature::GrassVegetation);
     l.pressed = has(features, Feature::Forces) || has(features, Feature::ForceMap);
     l.lampsCast = has(features, Feature::Lamps) && f.species[index]->shade.texture && lampsCast(ctx.project);
     return l;
@@ -48,6 +49,7 @@ void addShading(std::vector<float>& read, const FieldLight& l) {
     const auto& [blades, shows] = std::tie(l.traced->blades, l.traced->shows);
     add(blades.direct), add(blades.sky), add(blades.ground);
     add(shows.direct), add(shows.sky), add(shows.ground);
+    if (l.tinted) add(l.traced->grey.direct), add(l.traced->grey.sky);
     for (size_t k = 0; k < kTracedLeans; ++k) add(l.traced->leaning.direct[k]), add(l.traced->leaning.sky[k]);
 }
 // Gains of lamps' light, where there are lamps.
@@ -86,6 +88,7 @@ void updateGains(GrownSpecies& s, const FieldLight& l) {
                             l.roughness,
                             l.pressed ? 1.0f : 0.0f,
                             l.painted ? 1.0f : 0.0f,
+                            l.tinted ? 1.0f : 0.0f,
                             l.lampsCast ? 1.0f : 0.0f};
     addShading(read, l);
     for (const auto& [d, c] : l.suns) read.insert(read.end(), {d.x, d.y, d.z, c.x, c.y, c.z});
@@ -111,8 +114,10 @@ uint32_t packedGain(const glm::vec3& factor, float scale) {
 
 void setGains(SliceGlobals& g, bool conserving, Gains gains) {
     if (!conserving)
-        for (auto* factors : {&gains.slices, &gains.far, &gains.thin, &gains.laid}) factors->fill(glm::vec3(1));
-    if (!conserving) gains.leans = {};
+        for (auto* factors :
+             {&gains.slices, &gains.far, &gains.thin, &gains.laid, &gains.paintAcross, &gains.paintAbove})
+            factors->fill(glm::vec3(1));
+    if (!conserving) gains.leans = {}, gains.shine = {};
     if (!conserving) gains.farLevels.fill(1), gains.sliceLevels.fill(1), gains.thinner.fill(1);
     for (int i = 0; i < FAR_LEVELS; ++i) g.farLevels[i / 4][i % 4] = gains.farLevels[static_cast<size_t>(i)];
     for (int i = 0; i < SLICE_LEVELS; ++i) g.sliceLevels[i / 4][i % 4] = gains.sliceLevels[static_cast<size_t>(i)];
@@ -120,14 +125,18 @@ void setGains(SliceGlobals& g, bool conserving, Gains gains) {
     g.hotSpot = conserving ? gains.hotSpot : glm::vec3(0);
     g.lampHotSpot = conserving ? gains.lampHotSpot : glm::vec3(0);
     g.gainScale = {greatest(gains.slices), greatest(gains.far), greatest(gains.laid), greatest(gains.thin)};
+    g.recollision = conserving ? gains.recollision : 0;
     g.leanScale = 0;
     for (const auto& lean : gains.leans) g.leanScale = std::max(g.leanScale, greatest(lean));
     for (size_t i = 0; i < LOOK_VIEWS; ++i) {
         const auto lean = [&](size_t k) { return packedGain(0.5f * (gains.leans[k][i] + g.leanScale), g.leanScale); };
-        g.thin[i / 4][static_cast<int>(i % 4)] = packedGain(gains.thin[i], g.gainScale.w);
         g.gains[i] = {packedGain(gains.slices[i], g.gainScale.x),
                       packedGain(gains.far[i], g.gainScale.y),
                       packedGain(gains.laid[i], g.gainScale.z),
+                      packedGain(gains.thin[i], g.gainScale.w),
+                      packedGain(gains.paintAcross[i], float(PAINT_SCALE)),
+                      packedGain(gains.paintAbove[i], float(PAINT_SCALE)),
+                      packedGain(glm::vec3(gains.shine[i]), float(SHINE_SCALE)),
                       lean(0),
                       lean(1),
                       lean(2),

@@ -61,7 +61,8 @@ const TracedLight* tracedOf(const DrawContext& ctx, const std::string& field, si
 TracedLight underSky(const TracedLight& traced, const glm::vec3& tilt) {
     TracedLight out = traced;
     for (size_t i = 0; i < TRACED_RISE; ++i) out.blades.sky[i] += tilt * out.blades.skyTilt[i];
-    for (size_t i = 0; i < kTracedViews; ++i) out.shows.sky[i] += tilt * out.shows.skyTilt[i];
+    for (TracedShows* shows : {&out.shows, &out.grey})
+        for (size_t i = 0; i < kTracedViews; ++i) shows->sky[i] += tilt * shows->skyTilt[i];
     for (size_t i = 0; i < kTracedViews; ++i)  // a lean changes both alike
         for (auto& lean : out.leaning.sky)
             lean[i] *= out.shows.sky[i] / glm::max(traced.shows.sky[i], glm::vec3(1e-6f));
@@ -118,6 +119,7 @@ void setTraced(SpeciesGlobals& g, const TracedLight* traced, const glm::vec3& su
     for (size_t i = 0; i < none.direct.size(); i += TRACED_TERMS) none.direct[i] = glm::vec3(1);
     const TracedFactors& t = traced ? traced->blades : none;
     const auto numbers = termsFor(t, sun.y);
+    g.recollision = traced ? traced->recollision : 0;
     for (size_t i = 0; i < TRACED_DIRECT; ++i) g.traced[i] = glm::vec4(t.direct[i], 0);
     for (size_t i = 0; i < TRACED_TERMS; ++i) g.tracedSun[i] = glm::vec4(numbers[i], 0);
     for (size_t i = 0; i < TRACED_RISE; ++i)

@@ -135,8 +135,8 @@ std::array<glm::vec3, TRACED_DIRECT> fitDirect(const TracedTable& table) {
 }
 
 // What paths have seen of a view, on average.
-glm::vec3 meanOf(const TracedTable& table, size_t view, const TracedSums& s) {
-    return glm::vec3(s.full / static_cast<double>(std::max(table.met[view], 1)));
+glm::vec3 meanOf(const TracedTable& table, size_t view, const glm::dvec3& sum) {
+    return glm::vec3(sum / static_cast<double>(std::max(table.met[view], 1)));
 }
 // By what what is seen is divided for the glow about the light, which pictures put back.
 glm::vec3 glowOf(const TracedFactors& factors, size_t view, size_t direction) {
@@ -159,15 +159,16 @@ LeaningShows leaningOf(const TracedTable& table, const TracedFactors& factors) {
     }
     return out;
 }
-TracedShows showsOf(const TracedTable& table, const TracedFactors& factors) {
+// of: `full` of the sums, or `grey`.
+TracedShows showsOf(const TracedTable& table, const TracedFactors& factors, glm::dvec3 TracedSums::*of) {
     TracedShows out;
     for (size_t view = 0; view < kTracedViews; ++view) {
-        out.sky[view] = meanOf(table, view, table.sky[view]);
-        out.skyTilt[view] = meanOf(table, view, table.tilt[view]);
-        out.ground[view] = meanOf(table, view, table.ground[view]);
+        out.sky[view] = meanOf(table, view, table.sky[view].*of);
+        out.skyTilt[view] = meanOf(table, view, table.tilt[view].*of);
+        out.ground[view] = meanOf(table, view, table.ground[view].*of);
         for (size_t i = 0; i < table.direct[view].size(); ++i)
             out.direct[view * table.direct[view].size() + i] =
-                meanOf(table, view, table.direct[view][i]) / glowOf(factors, view, i);
+                meanOf(table, view, table.direct[view][i].*of) / glowOf(factors, view, i);
     }
     return out;
 }
@@ -177,7 +178,8 @@ TracedShows showsOf(const TracedTable& table, const TracedFactors& factors) {
 TracedLight fitTraced(const TracedTable& table) {
     TracedLight light;
     light.blades = {fitDirect(table), fitRise(table.sky), fitRise(table.ground), fitRise(table.tilt)};
-    light.shows = showsOf(table, light.blades);
+    light.shows = showsOf(table, light.blades, &TracedSums::full);
+    light.grey = showsOf(table, light.blades, &TracedSums::grey);
     light.leaning = leaningOf(table, light.blades);
     Fit<TRACED_RISE> scattered;
     for (size_t i = 0; i < kTracedLights; ++i) {
@@ -186,6 +188,7 @@ TracedLight fitTraced(const TracedTable& table) {
     }
     const auto numbers = scattered.solve();
     light.soilScattered = {numbers[0].x, numbers[1].x, numbers[2].x};
+    light.recollision = std::clamp(static_cast<float>(table.twice / std::max(table.once, 1e-9)), 0.0f, 0.95f);
     light.soilSky = static_cast<float>(table.soilSky);
     light.soilTilt = static_cast<float>(table.soilTilt);
     return light;

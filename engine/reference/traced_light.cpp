@@ -20,7 +20,7 @@
 namespace sward {
 namespace {
 
-constexpr uint32_t kVersion = 11;  // of the method: another one gives other factors
+constexpr uint32_t kVersion = 12;  // of the method: another one gives other factors
 constexpr int kRays = 2000;        // that meet a blade, a view
 constexpr int kParts = 16;         // of a view's rays, each with its own sums, so that any number of threads adds alike
 constexpr int kMostBounces = 12;
@@ -88,17 +88,29 @@ Ray from(const Surface& s, const glm::vec3& way, Dice& dice) {
     return {s.at + glm::dvec3(s.face) * (kOff * side), glm::normalize(glm::dvec3(way)), 0,
             std::numeric_limits<double>::infinity(), dice.grain()};
 }
-// What a blade sends towards one direction of light from another.
-glm::vec3 sends(const Surface& s, const glm::vec3& toEye, const glm::vec3& towards) {
-    return s.tint * f32::leafSends(s.color, s.looks, s.normal, toEye, towards);
+// What a blade sends towards one direction of light from another, and what it would if it were grey.
+struct Sent {
+    glm::vec3 own, grey;
+};
+Sent sends(const Surface& s, const glm::vec3& toEye, const glm::vec3& towards) {
+    const glm::vec3 dull(s.looks.x, 0, s.looks.z);
+    return {s.tint * f32::leafSends(s.color, s.looks, s.normal, toEye, towards),
+            s.tint * f32::leafSends(glm::vec3(TRACED_GREY), dull, s.normal, toEye, towards)};
 }
+// What of a path's light comes to the eye.
+struct Weight {
+    glm::vec3 own{1}, grey{1};
+    Weight& operator*=(const Sent& s) { return own *= s.own, grey *= s.grey, *this; }
+    Weight& operator*=(float share) { return own *= share, grey *= share, *this; }
+};
 // The next direction of a path, through the blade or off it by chance; weight: what it counts.
-glm::vec3 bounce(const Surface& s, const glm::vec3& toEye, Dice& dice, glm::vec3& weight) {
+glm::vec3 bounce(const Surface& s, const glm::vec3& toEye, Dice& dice, Weight& weight) {
     const float through = luminance(f32::leafPasses(s.color, s.looks.x)),
                 share = through / std::max(through + luminance(s.color), 1e-6f);
     const bool behind = dice.unit() < share;
     const glm::vec3 side = behind ? -s.normal : s.normal, towards = drawnAround(side, dice);
-    weight *= sends(s, toEye, towards) / (std::max(glm::dot(side, towards), 1e-6f) * (behind ? share : 1 - share));
+    weight *= sends(s, toEye, towards);
+    weight *= 1 / (std::max(glm::dot(side, towards), 1e-6f) * (behind ? share : 1 - share));
     return towards;
 }
 
@@ -117,20 +129,18 @@ struct ViewSums {
     std::array<TracedSums, kTracedLights * kTracedTurns> direct;
     TracedSums sky, tilt, ground;  // tilt: of a sky that is skyTilted
     int met = 0;                   // rays
+    double once = 0, twice = 0;    // as TracedTable has them
     void add(const ViewSums& o) {
-        for (size_t i = 0; i < direct.size(); ++i)
-            direct[i].local += o.direct[i].local, direct[i].full += o.direct[i].full;
-        sky.local += o.sky.local, sky.full += o.sky.full;
-        tilt.local += o.tilt.local, tilt.full += o.tilt.full;
-        ground.local += o.ground.local, ground.full += o.ground.full;
-        met += o.met;
+        for (size_t i = 0; i < direct.size(); ++i) direct[i].add(o.direct[i]);
+        sky.add(o.sky), tilt.add(o.tilt), ground.add(o.ground);
+        met += o.met, once += o.once, twice += o.twice;
     }
 };
 
 void addLocal(const Lawn& lawn, const Surface& s, const glm::vec3& toEye, const Lights& lights, ViewSums& sums) {
     for (size_t i = 0; i < lights.size(); ++i)
         sums.direct[i].local +=
-            glm::dvec3(sends(s, toEye, lights[i]) * maskPasses(lawn.shade, float(s.at.y), lights[i]));
+            glm::dvec3(sends(s, toEye, lights[i]).own * maskPasses(lawn.shade, float(s.at.y), lights[i]));
     const glm::dvec3 sent(s.color * s.tint * s.open);
     sums.sky.local += sent * (0.5 + 0.5 * double(s.normal.y));
     sums.tilt.local = sums.sky.local;
@@ -138,26 +148,32 @@ void addLocal(const Lawn& lawn, const Surface& s, const glm::vec3& toEye, const 
 }
 
 // The next blade of a path; none: it has ended, or left with `weight` along `way`.
-std::optional<Surface> goOn(Tracer& t, const Surface& s, const glm::vec3& toEye, Dice& dice, glm::vec3& weight,
+std::optional<Surface> goOn(Tracer& t, const Surface& s, const glm::vec3& toEye, Dice& dice, Weight& weight,
                             glm::vec3& way) {
     way = bounce(s, toEye, dice, weight);
     const std::optional<Surface> next = t.rays.closest(from(s, way, dice), t.memory);
     if (!next) return next;
-    const float goesOn = std::clamp(std::max({weight.x, weight.y, weight.z}) * 2, 0.02f, 1.0f);
-    if (dice.unit() >= goesOn) return weight = glm::vec3(0), std::nullopt;
-    weight /= goesOn;
+    const float goesOn = std::clamp(std::max({weight.own.x, weight.own.y, weight.own.z}) * 2, 0.02f, 1.0f);
+    weight *= dice.unit() < goesOn ? 1 / goesOn : 0.0f;
+    if (weight.own == glm::vec3(0)) return std::nullopt;
     return next;
 }
 
 // A path from what was seen on, with light at each blade that it meets.
 void addLights(Tracer& t, Surface s, glm::vec3 toEye, const Lights& lights, Dice& dice, ViewSums& sums) {
-    glm::vec3 weight(1), way;
+    Weight weight;
+    glm::vec3 way;
     for (int n = 0; n < kMostBounces; ++n) {
+        const float albedo = std::max(luminance(s.color + f32::leafPasses(s.color, s.looks.x)), 1e-4f);
         const size_t step = n == 0 ? 1 : kOften, first = n == 0 ? 0 : static_cast<size_t>(dice.unit() * kOften);
         for (size_t i = first; i < lights.size(); i += step) {
-            const glm::vec3 sent = static_cast<float>(step) * weight * sends(s, toEye, lights[i]);
-            if (sent == glm::vec3(0) || t.rays.blocks(from(s, lights[i], dice), t.memory)) continue;
-            sums.direct[i].full += glm::dvec3(sent);
+            Weight sent = weight;
+            sent *= sends(s, toEye, lights[i]);
+            sent *= static_cast<float>(step);
+            if (sent.own == glm::vec3(0) || t.rays.blocks(from(s, lights[i], dice), t.memory)) continue;
+            sums.direct[i].full += glm::dvec3(sent.own), sums.direct[i].grey += glm::dvec3(sent.grey);
+            if (n == 0) sums.once += double(luminance(sent.own));
+            if (n == 1) sums.twice += double(luminance(sent.own) / albedo);
         }
         const std::optional<Surface> next = goOn(t, s, toEye, dice, weight, way);
         if (!next) return;
@@ -168,18 +184,22 @@ void addLights(Tracer& t, Surface s, glm::vec3 toEye, const Lights& lights, Dice
 void addSky(Tracer& t, const Surface& seen, const glm::vec3& toSeen, Dice& dice, ViewSums& sums) {
     for (int path = 0; path < kSkyPaths; ++path) {
         Surface s = seen;
-        glm::vec3 toEye = toSeen, weight(1), way;
+        glm::vec3 toEye = toSeen, way;
+        Weight weight;
         for (int n = 0; n < kMostBounces; ++n) {
             const std::optional<Surface> next = goOn(t, s, toEye, dice, weight, way);
             if (next) {
                 s = *next, toEye = -way;
                 continue;
             }
-            const glm::dvec3 brings(weight / static_cast<float>(kSkyPaths));
+            const glm::dvec3 own(weight.own), grey(weight.grey);
+            const auto add = [&](TracedSums& to, float share) {
+                to.full += own * double(share / kSkyPaths), to.grey += grey * double(share / kSkyPaths);
+            };
             if (way.y > 0)
-                sums.sky.full += brings, sums.tilt.full += brings * double(skyTilted(way.y));
+                add(sums.sky, 1), add(sums.tilt, skyTilted(way.y));
             else
-                sums.ground.full += brings * double(t.lawn.soilOpen);
+                add(sums.ground, t.lawn.soilOpen);
             break;
         }
     }
@@ -270,9 +290,10 @@ void tellSoil(const SoilSums& sums, TracedTable& table) {
 }
 
 // --- the file of the cache: the numbers, and a hash of their bytes
-constexpr size_t kNumbers = 3 * (TRACED_DIRECT + 3 * TRACED_RISE + kTracedViews * (kTracedLights * kTracedTurns + 3) +
-                                 kTracedLeans * kTracedViews * (kTracedLights * kTracedTurns + 1) + 1) +
-                            3;
+constexpr size_t kNumbers =
+    3 * (TRACED_DIRECT + 3 * TRACED_RISE + 2 * kTracedViews * (kTracedLights * kTracedTurns + 3) +
+         kTracedLeans * kTracedViews * (kTracedLights * kTracedTurns + 1) + 1) +
+    4;
 static_assert(sizeof(TracedLight) == kNumbers * sizeof(float));
 
 std::filesystem::path tracedFile(const std::filesystem::path& folder, uint64_t key) {
@@ -422,6 +443,7 @@ Result<TracedTable> traceTable(const TracedSpec& spec, int rays, JobControl& con
         for (size_t part = 0; part < kParts; ++part) all.add(sums[part * kTracedViews + view]);
         table.met[view] = all.met;
         table.direct[view] = all.direct;
+        table.once += all.once, table.twice += all.twice;
         table.sky[view] = all.sky, table.tilt[view] = all.tilt, table.ground[view] = all.ground;
     }
     if (spec.leans)

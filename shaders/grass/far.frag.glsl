@@ -94,7 +94,7 @@ void main() {
     if (TRANSPARENCY == COVERAGE) alpha = coveredAlpha(COVERAGE, alpha, grain(r));
     if (!(alpha > 0.002)) discard;
     vec4 leaf = textureGrad(sliceReflectance, r.texel, r.dx, r.dy);
-    leaf.rgb = paintedAlong(leaf.rgb, uv);
+    leaf.rgb = paintedAlong(leaf.rgb, uv, seen);
     float pixel = max(length(r.dx), length(r.dy)) / slices.sharpness * slices.cellSize;
     stand.clump = clumpsHere(r, pixel);
     BladeLean l = leanOf(stand, vec2(0.0));

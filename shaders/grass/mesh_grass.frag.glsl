@@ -51,10 +51,10 @@ float densityOn(vec2 cells, float pixel) {
     if (!GRASS_DENSITY) return 1.0;
     return textureLod(densityMap, uvOf(cells), mapLevelOn(textureSize(densityMap, 0), pixel)).r;
 }
-vec3 paintedOn(vec3 reflectance, vec2 cells, float pixel) {
+vec3 paintedOn(vec3 reflectance, vec2 cells, float pixel, vec3 toEye, bool far) {
     if (!GRASS_VEGETATION) return reflectance;
     vec4 paint = textureLod(vegetationMap, uvOf(cells), mapLevelOn(textureSize(vegetationMap, 0), pixel));
-    return mix(reflectance, paint.rgb / slices.reflectScale, paint.a);
+    return underPaint(reflectance, paint, toEye, far);
 }
 float grownAt(Met m, Shell shell, float pixel) { return densityOn(m.at, pixel); }
 
@@ -72,7 +72,9 @@ float pastHorizon(Shell shell, float above) {
     return smoothstep(-0.05, 0.05, l.y + sqrt(2.0 * k * max(above, 0.0)));
 }
 float sunAt(Met m, Shell shell) { return shell.visible * pastHorizon(shell, m.above); }
-vec3 paintedAt(vec3 reflectance, Met m, Shell shell, float pixel) { return paintedOn(reflectance, m.at, pixel); }
+vec3 paintedAt(vec3 reflectance, Met m, Shell shell, float pixel) {
+    return paintedOn(reflectance, m.at, pixel, -shell.seen, false);
+}
 
 // From the world's axes to the field's, square to each other: x along u, z along v, y the normal (H-6).
 mat3 fieldAxes(vec3 n, vec3 u, vec3 v) {
@@ -115,7 +117,7 @@ void addFlat(inout Sum sum, Shell shell, SliceRay ray, BladeLean p, vec3 gain, v
     float alpha = farOpacity(flatThreshold, r, density, 1.0, y, vertical, 0.0, stored);
     if (!(alpha > 0.004)) return;
     vec4 leaf = textureGrad(flatReflectance, r.texel, r.dx, r.dy);
-    leaf.rgb = paintedOn(leaf.rgb, c, pixel);
+    leaf.rgb = paintedOn(leaf.rgb, c, pixel, -shell.seen, true);
     FarLit lit = FarLit(shell.sun, shell.toField, shell.start + shell.way * e.t, shell.raise, slices.farAmbient * open,
                         shell.visible * pastHorizon(shell, slices.farHeight), gain, shell.brighter,
                         hotSpot(slices.hotSpot, -shell.seen, shell.sun.towards));

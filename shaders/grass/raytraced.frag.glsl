@@ -74,7 +74,7 @@ float grownAt(Met m, Shell shell, float pixel) {
 }
 float sunAt(Met m, Shell shell) { return shell.visible; }
 vec3 paintedAt(vec3 reflectance, Met m, Shell shell, float pixel) {
-    return paintedOver(reflectance, mapPlace(fromCells(m.at) + frame.eye.xz), pixel);
+    return paintedOver(reflectance, mapPlace(fromCells(m.at) + frame.eye.xz), pixel, -shell.seen);
 }
 
 // Whether nothing of the species grows as far as a ray may come through the shell.

@@ -60,7 +60,7 @@ void main() {
     if (!(alpha > 0.0) || !lies(vec2(0.5 * texel.x, texel.y))) discard;
     tellMotion(moved);
     vec4 leaf = textureLod(sliceReflectance, texel, fine);
-    leaf.rgb = paintedOver(leaf.rgb, uv);
+    leaf.rgb = paintedOver(leaf.rgb, uv, unitOr(-foot, 1e-6, vec3(0.0, 1.0, 0.0)));
     vec3 light = clamp(sliceRadiance(spotHere(), leaf.rgb, leaf.a, stored), vec3(0.0), vec3(kBrightest));
     color = vec4(light * haze.w + haze.rgb, alpha);
     if (viewMode() == VIEW_TIERS) color.rgb = vec3(0.05, 0.15, 0.9) * (0.4 + 0.6 * texel.y);

@@ -6,11 +6,10 @@
 #include "lib/looks.glsl"
 #include "lib/slices.glsl"
 
-// Reflectance (as a share of full scale) with the field's colour over it.
-vec3 paintedAlong(vec3 reflectance, vec2 uv) {
+// As paintedOver, of the horizontal slice.
+vec3 paintedAlong(vec3 reflectance, vec2 uv, vec3 toEye) {
     if (!GRASS_VEGETATION) return reflectance;
-    vec4 paint = colorAlong(vegetationMap, uv * field.vegetationTiling);
-    return mix(reflectance, paint.rgb / slices.reflectScale, paint.a);
+    return underPaint(reflectance, colorAlong(vegetationMap, uv * field.vegetationTiling), toEye, true);
 }
 
 // As fieldDensity.

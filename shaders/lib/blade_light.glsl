@@ -15,17 +15,23 @@
 #include "numerics/basics.h"
 #include "numerics/population.h"
 
-vec3 bladeColor(float hue, float lightness, float v, vec2 uv) {
-    vec3 c = bladeTint(bladeGradient(species.rootColor, species.midColor, species.tipColor, v), hue, lightness);
-    if (!GRASS_VEGETATION) return c;
+// Reflectance; scattered: by how much it is brighter than that, where paint changes what goes from blade to blade.
+struct BladeColor {
+    vec3 reflectance, scattered;
+};
+BladeColor bladeColor(float hue, float lightness, float v, vec2 uv) {
+    vec3 own = bladeTint(bladeGradient(species.rootColor, species.midColor, species.tipColor, v), hue, lightness);
+    if (!GRASS_VEGETATION) return BladeColor(own, vec3(1.0));
     vec4 paint = textureLod(vegetationMap, uv * field.vegetationTiling, 0.0);
-    return mix(c, paint.rgb, paint.a);
+    vec3 painted = mix(own, paint.rgb, paint.a);
+    return BladeColor(painted, paintScatters(own, painted, species.translucency, species.recollision));
 }
 
-// A vertex that is lit: reflectance; either of the blade's two normals, and that of the side which the eye sees; where
+// A vertex that is lit: its colour; either of the blade's two normals, and that of the side which the eye sees; where
 // it is; where the blade faces; what of the light is left so near to the root, where no mask says it.
 struct Lit {
-    vec3 color, face, normal, toEye, position, fromRoot;
+    BladeColor color;
+    vec3 face, normal, toEye, position, fromRoot;
     vec2 facing;
     vec3 upright;  // of its pose
     float open, density;
@@ -47,9 +53,9 @@ vec3 lampsOn(Lit p) {
         if (BLADE_SHADOWS && i < castingLamps())
             share = maskLightAtVertex(maskFor(p.fromRoot, p.facing, p.upright, l.direction), p.density) *
                     tracedLamp(p.toEye, l.direction, p.density);
-        sum += leafLight(p.color, bladeGloss(), p.normal, p.toEye, l.direction, l.light) * share;
+        sum += leafLight(p.color.reflectance, bladeGloss(), p.normal, p.toEye, l.direction, l.light) * share;
     }
-    return sum;
+    return sum * p.color.scattered;
 }
 // A point of a blade as it would be without the map of heights: its neighbours are lowered as it is. They stand as
 // close as ever, so that they shade it as grass does that is thinner by as much (lightBlade).
@@ -65,10 +71,11 @@ struct BladeLight {
 // The sun on a blade; share: of haze.
 void sunBlade(Lit p, float share, inout BladeLight o) {
     if (!SUN) return;
-    vec3 left = vec3(sunVisible(p.position, vec3(0.0)));
+    vec3 left = p.color.scattered * sunVisible(p.position, vec3(0.0));
     if (!(BLADE_SHADOWS && CASTING_LIGHTS)) {
         o.lit.rgb +=
-            leafLight(p.color, bladeGloss(), p.normal, p.toEye, frame.sunDirection, frame.sunLight) * left * p.open;
+            leafLight(p.color.reflectance, bladeGloss(), p.normal, p.toEye, frame.sunDirection, frame.sunLight) * left *
+            p.open;
         return;
     }
     left *= 1.0 - share;
@@ -78,17 +85,18 @@ void sunBlade(Lit p, float share, inout BladeLight o) {
     } else {
         left *= p.open;
     }
-    o.sunned = vec4(p.color * frame.sunLight * left, p.density);
+    o.sunned = vec4(p.color.reflectance * frame.sunLight * left, p.density);
     o.turned.xy = vec2(dot(p.face, frame.sunDirection), dot(p.face, p.toEye));
     if (GLOSS) o.turned.z = species.gloss * waxyLobe(p.normal, frame.sunDirection, p.toEye, species.roughness) * left.g;
 }
 BladeLight lightBlade(Lit p, vec2 uv) {
     BladeLight o = BladeLight(vec4(0.0), vec4(0.0), vec3(0.0), vec2(0.0));
     float distance = length(p.position), share = hazeShare(distance);
-    p.color *= darkened(distance);
+    p.color.reflectance *= darkened(distance);
     p.fromRoot = inFullHeight(p.fromRoot, uv);
     if (GRASS_HEIGHTS) p.density *= bladeShare(uv);
-    o.lit = vec4(p.color * tracedAmbient(p.normal, p.toEye) * (skyShare(uv) * p.open) + lampsOn(p), share);
+    vec3 around = p.color.reflectance * p.color.scattered * tracedAmbient(p.normal, p.toEye);
+    o.lit = vec4(around * (skyShare(uv) * p.open) + lampsOn(p), share);
     sunBlade(p, share, o);
     if (FOG || ATMOSPHERE) o.lit.rgb = mix(o.lit.rgb, hazeColor(p.position), share);
     return o;

@@ -35,7 +35,7 @@ float eighths(vec2 d) {
     return d.y < 0.0 && turn > 0.0 ? 8.0 - turn : turn;
 }
 LookTap lookTap(vec3 toEye) {
-    float turn = eighths(toEye.xz);
+    float turn = eighths(toEye.xz) * float(LOOK_AZIMUTHS / 8);
     float high = lookHeight(toEye) * float(LOOK_ELEVATIONS - 1);
     int a = min(int(turn), LOOK_AZIMUTHS - 1), b = (a + 1) % LOOK_AZIMUTHS, low = min(int(high), LOOK_ELEVATIONS - 2);
     float fa = turn - float(a), fh = high - float(low);
@@ -52,12 +52,6 @@ vec3 mixGains(LookTap t, uvec4 bits, float scale) {
 }
 vec3 mixShares(LookTap t, uvec4 bits) { return 2.0 * mixGains(t, bits, slices.leanScale) - slices.leanScale; }
 
-// Numbers of SliceGlobals that have one a view, of the four.
-uvec4 thinAt(LookTap t) {
-    ivec4 at = t.view / 4, one = t.view % 4;
-    return uvec4(slices.thin[at.x][one.x], slices.thin[at.y][one.y], slices.thin[at.z][one.z],
-                 slices.thin[at.w][one.w]);
-}
 // How many times as bright grass is where it is laid down so far.
 vec3 laidGain(LookTap t, float press) {
     if (!FORCES && !FORCE_MAP) return vec3(1.0);
@@ -94,10 +88,11 @@ vec3 farGain(vec3 toEye, vec2 lean, vec2 clump, float press, float density) {
     vec3 full = sliceGain(toEye, lean, clump, press, true);
     if (!GRASS_DENSITY || density >= 1.0) return full;
     LookTap t = lookTap(toEye);
-    uvec4 dense = uvec4(slices.gains[t.view.x].above, slices.gains[t.view.y].above, slices.gains[t.view.z].above,
-                        slices.gains[t.view.w].above);
+    LookGain a = slices.gains[t.view.x], b = slices.gains[t.view.y], c = slices.gains[t.view.z],
+             d = slices.gains[t.view.w];
+    uvec4 dense = uvec4(a.above, b.above, c.above, d.above), sparse = uvec4(a.thin, b.thin, c.thin, d.thin);
     vec3 thin =
-        full * mixGains(t, thinAt(t), slices.gainScale.w) / max(mixGains(t, dense, slices.gainScale.y), vec3(1e-4));
+        full * mixGains(t, sparse, slices.gainScale.w) / max(mixGains(t, dense, slices.gainScale.y), vec3(1e-4));
     return mix(thin, full, clamp(1.0 + log2(max(density, 1e-3)) / log2(float(THIN_DENSITY)), 0.0, 1.0));
 }
 // Factor that makes each level of detail of images as bright as the finest: coarse ones mix what faces light and what
@@ -173,18 +168,33 @@ float fieldDensityOver(vec2 uv, float metres) {
     return textureLod(densityMap, tiled(uv, tiling), mapLevel(textureSize(densityMap, 0), tiling, metres)).r;
 }
 
-// Reflectance (as a share of full scale) with the field's colour over it.
-vec3 paintedOver(vec3 reflectance, vec2 uv) {
-    if (!GRASS_VEGETATION) return reflectance;
-    vec4 paint = texture(vegetationMap, uv * field.vegetationTiling);
-    return mix(reflectance, paint.rgb / slices.reflectScale, paint.a);
+// Reflectance (as a share of full scale) under paint, seen along toEye, by vertical slices or the horizontal one: as
+// bright as blades are that are painted so.
+vec3 underPaint(vec3 reflectance, vec4 paint, vec3 toEye, bool far) {
+    if (!(paint.a > 0.0)) return reflectance;
+    LookTap t = lookTap(toEye);
+    LookGain a = slices.gains[t.view.x], b = slices.gains[t.view.y], c = slices.gains[t.view.z],
+             d = slices.gains[t.view.w];
+    uvec4 bits = far ? uvec4(a.paintAbove, b.paintAbove, c.paintAbove, d.paintAbove)
+                     : uvec4(a.paintAcross, b.paintAcross, c.paintAcross, d.paintAcross);
+    vec3 own = (1.0 - paint.a) * reflectance, laid = paint.a * paint.rgb / slices.reflectScale,
+         shine = mixGains(t, uvec4(a.shine, b.shine, c.shine, d.shine), SHINE_SCALE) * (paint.a / slices.reflectScale),
+         level = mixGains(t, bits, PAINT_SCALE);
+    float through = slices.translucency, again = slices.recollision;
+    vec3 all = (own + laid) * slices.reflectScale;
+    return (own * leafOnce(reflectance * slices.reflectScale, through, again) +
+            laid * level * leafOnce(vec3(TRACED_GREY), through, again)) /
+               leafOnce(all, through, again) +
+           shine * level;
 }
-
-vec3 paintedOver(vec3 reflectance, vec2 uv, float metres) {
+vec3 paintedOver(vec3 reflectance, vec2 uv, vec3 toEye) {
+    if (!GRASS_VEGETATION) return reflectance;
+    return underPaint(reflectance, texture(vegetationMap, uv * field.vegetationTiling), toEye, false);
+}
+vec3 paintedOver(vec3 reflectance, vec2 uv, float metres, vec3 toEye) {
     if (!GRASS_VEGETATION) return reflectance;
     float level = mapLevel(textureSize(vegetationMap, 0), field.vegetationTiling, metres);
-    vec4 paint = textureLod(vegetationMap, uv * field.vegetationTiling, level);
-    return mix(reflectance, paint.rgb / slices.reflectScale, paint.a);
+    return underPaint(reflectance, textureLod(vegetationMap, uv * field.vegetationTiling, level), toEye, false);
 }
 
 // Light from one direction on a texel and on its other side, from what it stores: `plus` and `minus` are the parts of

@@ -25,6 +25,18 @@ FN vec3 leafPasses(vec3 c, real translucency) {
                 min(t.z, max(kLeafSendsAtMost - c.z, real(0.0))));
 }
 
+// What leaves of reflectance c send once over all that they send: light from blade to blade is a geometric series,
+// whose terms fall by what a leaf sends on (back and through) and by the share `again` of that which meets another (the
+// recollision probability of Smolander and Stenberg 2005). translucency: as above; again: in [0, 0.95].
+FN vec3 leafOnce(vec3 c, real translucency, real again) {
+    return vec3(real(1.0), real(1.0), real(1.0)) - again * (c + leafPasses(c, translucency));
+}
+// By how much brighter grass is that is painted, of reflectance `painted` where its own is `own`, than by that alone:
+// at most 20.
+FN vec3 paintScatters(vec3 own, vec3 painted, real translucency, real again) {
+    return leafOnce(own, translucency, again) / leafOnce(painted, translucency, again);
+}
+
 // Fresnel's reflectance by Schlick 1994; cosine: between light and half vector, in [0, 1].
 FN real leafFresnel(real cosine) {
     real m = 1.0f - clamp(cosine, real(0.0), real(1.0));

@@ -7,6 +7,7 @@
 #define TRACED_TERMS 8   // and by the way that light and eye stand to each other, of one elevation of the light
 #define TRACED_LIGHTS 7  // elevations of the light (tracedLightAt)
 #define TRACED_DIRECT 56
+#define TRACED_GREY 0.1  // reflectance of the lawn that tells what painted grass shows
 #ifdef __cplusplus
 namespace sward {
 #endif
@@ -71,7 +72,8 @@ struct STD140 SpeciesGlobals {
     float spread;      // as Sown
     float step;
     float sownShare;
-    uint sowSeed;  // of cells' chances
+    uint sowSeed;       // of cells' chances
+    float recollision;  // share of the light that a blade sends which meets another; 0: that is not known
 };
 
 // A blade of a patch (scene/population.h). control and tip are relative to the root, metres.

@@ -3,13 +3,14 @@
 #include "shared/types.h"
 // Views for which grass's mean looks are tabulated: azimuths around, elevations from level to the zenith (lookHeight of
 // numerics/traced.h).
-#define LOOK_AZIMUTHS 8
+#define LOOK_AZIMUTHS 16
 #define LOOK_ELEVATIONS 8
-#define LOOK_VIEWS 64
-#define FAR_LEVELS 8      // of the horizontal slice's images, from the finest on: coarser ones are as the last
-#define SLICE_LEVELS 8    // of vertical slices' images likewise
-#define LOOK_QUARTERS 16  // a quarter of them
-#define THIN_DENSITY 8    // 1 / the density of SliceGlobals::thin
+#define LOOK_VIEWS 128
+#define FAR_LEVELS 8     // of the horizontal slice's images, from the finest on: coarser ones are as the last
+#define SLICE_LEVELS 8   // of vertical slices' images likewise
+#define PAINT_SCALE 4.0  // of LookGain's factors of paint
+#define SHINE_SCALE 0.25
+#define THIN_DENSITY 8  // 1 / the density of LookGain's thin
 // Texels of the image of lamps' gains: x, (1 - cosine of the azimuth between eye and light) / 2; y and z, elevations of
 // eye and light as above.
 #define LAMP_AZIMUTHS 7
@@ -25,6 +26,12 @@ struct STD140 LookGain {
     uint across;  // of vertical slices
     uint above;   // of the horizontal slice
     uint laid;    // of vertical slices where grass lies, on top
+    uint thin;    // of the horizontal slice at a density of 1 / THIN_DENSITY
+    // By how much paint is drawn brighter, as shares of PAINT_SCALE: of vertical slices, and of the horizontal one.
+    // Factors above are for blades' own colours, of which images show others than a view does.
+    uint paintAcross;
+    uint paintAbove;
+    uint shine;  // what paint is brighter by for highlights, as reflectance: a share of SHINE_SCALE
     // By what share it brightens as blades lean (m per m), as shares of leanScale, of which half is 0: times the lean
     // along x, along z, the squares of these, and their product.
     uint leanX;
@@ -35,21 +42,20 @@ struct STD140 LookGain {
 };
 
 struct STD140 SliceGlobals {
-    float cellSize;             // m
-    float top;                  // height of the vertical slices (m)
-    int slices;                 // along an axis
-    float reflectScale;         // reflectance at full scale
-    float minGeom;              // distance from which slices stand for blades (m)
-    float geomInv;              // its lodInverse
-    float minBTF;               // distance from which the horizontal slice stands for vertical ones (m)
-    float btfInv;               // its lodInverse
-    vec2 area;                  // blade area towards x: a level view, y: the zenith (m2 a m2)
-    vec2 laidArea;              // the same of grass that lies, pressed down
-    vec2 eyeCell;               // x, z of the cell that the eye is over
-    vec2 inCell;                // where in it, in cells (B-17)
-    vec4 sunWeights;            // of the images x+, y, z+, x-; z- is what is left to 1
-    vec4 gainScale;             // greatest factor of LookGain's across, above and laid, and of `thin`
-    uvec4 thin[LOOK_QUARTERS];  // a number a view: as LookGain's above, at a density of 1 / THIN_DENSITY
+    float cellSize;       // m
+    float top;            // height of the vertical slices (m)
+    int slices;           // along an axis
+    float reflectScale;   // reflectance at full scale
+    float minGeom;        // distance from which slices stand for blades (m)
+    float geomInv;        // its lodInverse
+    float minBTF;         // distance from which the horizontal slice stands for vertical ones (m)
+    float btfInv;         // its lodInverse
+    vec2 area;            // blade area towards x: a level view, y: the zenith (m2 a m2)
+    vec2 laidArea;        // the same of grass that lies, pressed down
+    vec2 eyeCell;         // x, z of the cell that the eye is over
+    vec2 inCell;          // where in it, in cells (B-17)
+    vec4 sunWeights;      // of the images x+, y, z+, x-; z- is what is left to 1
+    vec4 gainScale;       // greatest factor of LookGain's across, above, laid and thin
     vec4 farLevels[2];    // by level: by how much brighter it is drawn than it says, so that all are as bright as the
                           // first
     vec4 thinner[2];      // by LOOK_ELEVATIONS: by how much brighter vertical slices are drawn where they stand for
@@ -78,8 +84,9 @@ struct STD140 SliceGlobals {
     float spread;      // as Sown
     float step;
     float sownShare;
-    uint sowSeed;     // of cells' chances
-    float leanScale;  // greatest share of LookGain's leans
+    uint sowSeed;       // of cells' chances
+    float leanScale;    // greatest share of LookGain's leans
+    float recollision;  // as SpeciesGlobals has it
     LookGain gains[LOOK_VIEWS];
 };
 

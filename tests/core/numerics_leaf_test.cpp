@@ -98,5 +98,17 @@ TEST(Leaf, BrightPaintSendsNoMoreThanFallsOnIt) {
     EXPECT_EQ(leafPasses(green, 0.5), leafThrough(green) * 0.5) << "what grows stays far below";
 }
 
+TEST(Leaf, BrightPaintBrightensWhatStandsBesideItAndNothingElseDoes) {
+    const glm::dvec3 own(0.05, 0.1, 0.03), white(0.8), none(0);
+    EXPECT_EQ(paintScatters(own, own, 0.5, 0.6), glm::dvec3(1));
+    EXPECT_EQ(paintScatters(own, white, 0.5, 0.0), glm::dvec3(1)) << "a blade that stands alone";
+    const glm::dvec3 more = paintScatters(own, white, 0.0, 0.5);
+    for (int k = 0; k < 3; ++k) {
+        EXPECT_NEAR(more[k], (1 - 0.5 * own[k]) / (1 - 0.5 * 0.8), 1e-12) << "two geometric series";
+        EXPECT_LT(paintScatters(own, none, 0.5, 0.6)[k], 1) << "black paint takes away";
+        EXPECT_LE(paintScatters(none, glm::dvec3(1), 1.0, 0.95)[k], 20.001);
+    }
+}
+
 }  // namespace
 }  // namespace sward

@@ -38,6 +38,7 @@ DrawnImages imagesFacingX() {
     for (SliceRows& level : out.standing.levels) level[0].fill({{texel}, 1, 1});
     out.standing.top = 0.2f, out.stand.apart = 0.05f;
     out.far.fill({{texel.color, 1, 1, {}, 0, 0}});
+    out.shown = shownShares(out.standing, out.stand);
     return out;
 }
 DrawnImages imagesOf(const Species& s) {
@@ -144,6 +145,27 @@ TEST(Appearance, ThinGrassShowsMoreOfWhatStandsLow) {
     EXPECT_LT(thinByFull(), 0.85f * plain);
     FieldLight unpainted{.sky = glm::vec3(1), .ground = glm::vec3(1)};
     EXPECT_EQ(gainsFor(s, unpainted).thin[low], glm::vec3(1)) << "nobody asks for it";
+}
+
+// Where roots are dark, what is seen from the side is brighter than an image from above; paint, which knows no roots,
+// is not. A white texture doubles all colours, paint among them (whiteBlade).
+TEST(Appearance, PaintIsAsBrightAsBladesThatArePainted) {
+    Species s;
+    s.bladesPerM2 = 3000, s.height = 0.4f, s.hueVariationDeg = s.lightnessVariation = 0;
+    FieldLight l{.sky = glm::vec3(1), .ground = glm::vec3(1)};
+    const size_t low = LOOK_AZIMUTHS;
+    EXPECT_EQ(gainsFor(s, l).paintAbove[low], glm::vec3(1)) << "nobody asks for it";
+    l.tinted = true;
+    s.rootColor = s.midColor = s.tipColor = {0.1f, 0.2f, 0.05f};
+    const Gains even = gainsFor(s, l);
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(even.paintAbove[low][c], 2, 0.1) << c;
+        EXPECT_NEAR(even.paintAcross[low][c], 2, 0.1) << c;
+    }
+    s.rootColor = s.midColor = 0.2f * s.tipColor;
+    const Gains dark = gainsFor(s, l);
+    EXPECT_LT(dark.paintAbove[low].y, 1.8f);
+    EXPECT_NEAR(dark.far[low].y * dark.paintAbove[low].y, even.far[low].y * even.paintAbove[low].y, 0.02f);
 }
 
 TEST(Appearance, ASpeciesWithoutBladesHasASoundLook) {

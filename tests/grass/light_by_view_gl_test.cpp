@@ -137,5 +137,33 @@ TEST(LightByView, OfLeaningGrassIsTheTruthsFromAllSides) {
     EXPECT_LT(traced[Technique::Flat], 0.6 * upright[Technique::Flat]) << "grass that does not lean is the rival";
 }
 
+// Painted all over, without what shines in it alone: as bright as the truth that is painted so.
+TEST(LightByView, OfPaintedGrassIsTheTruths) {
+    NoGlErrors errors;
+    const ViewCamera camera = lookingDown(25);
+    struct Paint {
+        const char* name;
+        glm::vec3 color;
+        float share;
+    };
+    for (const Paint& paint : {Paint{"green", {0.05f, 0.16f, 0.03f}, 1}, Paint{"brown", {0.2f, 0.09f, 0.04f}, 0.6f},
+                               Paint{"chalk", {0.5f, 0.5f, 0.45f}, 0.5f}})
+        for (const float azimuthDeg : {0.0f, 180.0f}) {
+            Project p = turf();
+            GrassField& grass = *p.registry.get<GrassField>(findEntity(p, "grass"));
+            Map tint({1, 1, 4, PixelType::F32});
+            for (int c = 0; c < 3; ++c) tint.set(0, 0, c, paint.share * paint.color[c]);
+            tint.set(0, 0, 3, paint.share);
+            grass.vegetation = {"tint.exr", tint};
+            sunIn(p).azimuthDeg = azimuthDeg, sunIn(p).elevationDeg = 38;
+            const double truth = tracedTruth(p, camera);
+            for (const Technique t : {Technique::Tessellated, Technique::Raytraced, Technique::Flat}) {
+                const double with = drawnBy(p, t, BakeLight::Traced, camera) / truth;
+                printf("%s, sun at %3.0f: %-12s %.3f of the truth\n", paint.name, double(azimuthDeg), nameOf(t), with);
+                EXPECT_NEAR(with, 1, kSightLimit) << paint.name << ", " << nameOf(t);
+            }
+        }
+}
+
 }  // namespace
 }  // namespace sward::test

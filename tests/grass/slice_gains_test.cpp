@@ -19,6 +19,7 @@ TEST(SliceGains, PackedFactorsAreWithinHalfAStepOfTheGreatest) {
         gains.far[static_cast<size_t>(i)] = {5 * f, 0, 0.01f};
         gains.thin[static_cast<size_t>(i)] = {0.5f * f, f, 2 * f};
         gains.laid[static_cast<size_t>(i)] = {0.2f, 0.1f, 0.05f * f};
+        gains.paintAcross[static_cast<size_t>(i)] = {1, 2 * f, 0.5f};
         gains.leans[3][static_cast<size_t>(i)] = {-0.25f, f, 0.5f};
     }
     setGains(g, true, gains);
@@ -27,9 +28,12 @@ TEST(SliceGains, PackedFactorsAreWithinHalfAStepOfTheGreatest) {
         const glm::vec3 off[] = {unpacked(g.gains[i].across, g.gainScale.x) - gains.slices[i],
                                  unpacked(g.gains[i].above, g.gainScale.y) - gains.far[i],
                                  unpacked(g.gains[i].laid, g.gainScale.z) - gains.laid[i],
-                                 unpacked(g.thin[i / 4][int(i % 4)], g.gainScale.w) - gains.thin[i]};
+                                 unpacked(g.gains[i].thin, g.gainScale.w) - gains.thin[i]};
         for (int k = 0; k < 4; ++k)
             for (int c = 0; c < 3; ++c) EXPECT_LE(std::abs(off[k][c]), 0.501f * g.gainScale[k] / 1023) << i << k << c;
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(unpacked(g.gains[i].paintAcross, float(PAINT_SCALE))[c], gains.paintAcross[i][c], 0.0021f)
+                << i << c;
         const glm::vec3 lean = 2.0f * unpacked(g.gains[i].leanZZ, g.leanScale) - g.leanScale - gains.leans[3][i];
         for (int c = 0; c < 3; ++c) EXPECT_LE(std::abs(lean[c]), 1.001f * g.leanScale / 1023) << i << c;
     }

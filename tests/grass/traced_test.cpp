@@ -16,7 +16,7 @@ TracedLight someLight() {
     t.blades.sky = {glm::vec3(2), glm::vec3(-0.5f), glm::vec3(0.1f)};
     t.blades.ground = {glm::vec3(0.2f), glm::vec3(0), glm::vec3(1)};
     t.soilScattered = {0.01f, 0.02f, -0.1f};
-    t.soilSky = 0.4f;
+    t.soilSky = 0.4f, t.recollision = 0.45f;
     return t;
 }
 
@@ -35,7 +35,9 @@ TEST(Traced, ShadersReadTheSunsFactorsAsTheEngineDoes) {
     setTraced(g, nullptr, sun);
     EXPECT_EQ(asShadersRead(g, {0.6f, 0.8f, 0}, sun), glm::vec3(1)) << "nothing was traced";
     const TracedLight light = someLight();
+    EXPECT_EQ(g.recollision, 0);
     setTraced(g, &light, sun);
+    EXPECT_EQ(g.recollision, 0.45f);
     for (const glm::vec3& eye : {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::normalize(glm::vec3(-1, 0.2f, 0.7f))}) {
         const glm::vec3 want = tracedDirect(light.blades, eye, sun), got = asShadersRead(g, eye, sun);
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(got[c], want[c], 1e-5f * (1 + want[c]));
