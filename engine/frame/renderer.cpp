@@ -250,6 +250,7 @@ void fillView(FrameGlobals& g, const ViewCamera& camera, const ViewSettings& s, 
     g.invViewProj = glm::inverse(g.viewProj);
     g.pixels = {w, h};
     g.pixelShare = {1 / w, 1 / h};
+    g.lookShare = 1;
     g.pixelFrom = {s.part.x, s.part.y};
     g.mode = static_cast<int>(s.mode);
     g.exposure = std::exp2(camera.exposure);

@@ -11,7 +11,10 @@ namespace sward {
 namespace {
 
 constexpr const char* kOwner = "post/antialias";
-constexpr uint32_t kPlaces = 64;   // within a pixel, until they repeat
+constexpr uint32_t kPlaces = 64;  // within a pixel, until they repeat
+// Each frame of a picture at rest looks at another place of the pixel, and sees about a part of it: over all of it,
+// their mean would be blurred twice. Of a picture that moves so little is kept that such looks would flicker.
+constexpr float kLookAtRest = 0.35f;
 constexpr float kStillFrames = 4;  // a picture at rest becomes the mean of so many times the frames of one that moves
 
 // What a picture shows from where; two that are equal show the same.
@@ -71,6 +74,9 @@ void begin(DrawContext& ctx, AntialiasView& s) {
     s.frame = 0;
 }
 
+// Whether the frame shows what the one before did.
+bool stands(const AntialiasView& s) { return s.frame > 0 && s.now == s.before; }
+
 // Moves the frame's samples, and its chances, to this frame's places.
 void shift(DrawContext& ctx) {
     AntialiasView& s = ctx.ofView<AntialiasView>();
@@ -86,11 +92,12 @@ void shift(DrawContext& ctx) {
     const glm::vec2 place = 2.0f * placeInPixel(s.frame) * g.pixelShare;
     g.viewProj = glm::translate(glm::mat4(1), glm::vec3(place, 0)) * g.viewProj;
     g.invViewProj = glm::inverse(g.viewProj);
+    if (stands(s)) g.lookShare = kLookAtRest;
     g.chanceShift = s.frame * 159 % 256;  // by the golden section, as near as 256ths come
 }
 
 void accumulate(DrawContext& ctx, AntialiasView& s, float frames) {
-    const bool still = s.frame > 0 && s.now == s.before;
+    const bool still = stands(s);
     s.atRest = still ? s.atRest + 1 : 1;
     const glm::mat4 before = s.before.viewProj * glm::translate(glm::mat4(1), glm::vec3(s.now.eye - s.before.eye));
     glUniformMatrix4fv(0, 1, GL_FALSE, &s.now.viewProj[0][0]);

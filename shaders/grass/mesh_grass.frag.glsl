@@ -54,7 +54,7 @@ float densityOn(vec2 cells, float pixel) {
 vec3 paintedOn(vec3 reflectance, vec2 cells, float pixel, vec3 toEye, bool far) {
     if (!GRASS_VEGETATION) return reflectance;
     vec4 paint = textureLod(vegetationMap, uvOf(cells), mapLevelOn(textureSize(vegetationMap, 0), pixel));
-    return underPaint(reflectance, paint, toEye, far);
+    return underPaint(reflectance, paint, paint.a, toEye, far);
 }
 float grownAt(Met m, Shell shell, float pixel) { return densityOn(m.at, pixel); }
 

@@ -9,7 +9,9 @@
 // As paintedOver, of the horizontal slice.
 vec3 paintedAlong(vec3 reflectance, vec2 uv, vec3 toEye) {
     if (!GRASS_VEGETATION) return reflectance;
-    return underPaint(reflectance, colorAlong(vegetationMap, uv * field.vegetationTiling), toEye, true);
+    float within;
+    vec4 paint = colorAlong(vegetationMap, uv * field.vegetationTiling, within);
+    return underPaint(reflectance, paint, within, toEye, true);
 }
 
 // As fieldDensity.

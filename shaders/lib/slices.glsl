@@ -169,32 +169,34 @@ float fieldDensityOver(vec2 uv, float metres) {
 }
 
 // Reflectance (as a share of full scale) under paint, seen along toEye, by vertical slices or the horizontal one: as
-// bright as blades are that are painted so.
-vec3 underPaint(vec3 reflectance, vec4 paint, vec3 toEye, bool far) {
+// bright as blades are that are painted so. paint: its colour, and its opacity in the mean of what is looked at;
+// within: its opacity where there is any.
+vec3 underPaint(vec3 reflectance, vec4 paint, float within, vec3 toEye, bool far) {
     if (!(paint.a > 0.0)) return reflectance;
     LookTap t = lookTap(toEye);
     LookGain a = slices.gains[t.view.x], b = slices.gains[t.view.y], c = slices.gains[t.view.z],
              d = slices.gains[t.view.w];
     uvec4 bits = far ? uvec4(a.paintAbove, b.paintAbove, c.paintAbove, d.paintAbove)
                      : uvec4(a.paintAcross, b.paintAcross, c.paintAcross, d.paintAcross);
-    vec3 own = (1.0 - paint.a) * reflectance, laid = paint.a * paint.rgb / slices.reflectScale,
-         shine = mixGains(t, uvec4(a.shine, b.shine, c.shine, d.shine), SHINE_SCALE) * (paint.a / slices.reflectScale),
-         level = mixGains(t, bits, PAINT_SCALE);
+    vec3 shine = mixGains(t, uvec4(a.shine, b.shine, c.shine, d.shine), SHINE_SCALE),
+         level = mixGains(t, bits, PAINT_SCALE), own = reflectance * slices.reflectScale;
     float through = slices.translucency, again = slices.recollision;
-    vec3 all = (own + laid) * slices.reflectScale;
-    return (own * leafOnce(reflectance * slices.reflectScale, through, again) +
-            laid * level * leafOnce(vec3(TRACED_GREY), through, again)) /
-               leafOnce(all, through, again) +
-           shine * level;
+    vec3 painted = ((1.0 - within) * own * leafOnce(own, through, again) +
+                    within * level * paint.rgb * leafOnce(vec3(TRACED_GREY), through, again)) /
+                       leafOnce(mix(own, paint.rgb, within), through, again) +
+                   within * level * shine;
+    return mix(reflectance, painted / slices.reflectScale, min(paint.a / max(within, 1e-4), 1.0));
 }
 vec3 paintedOver(vec3 reflectance, vec2 uv, vec3 toEye) {
     if (!GRASS_VEGETATION) return reflectance;
-    return underPaint(reflectance, texture(vegetationMap, uv * field.vegetationTiling), toEye, false);
+    vec4 paint = texture(vegetationMap, uv * field.vegetationTiling);
+    return underPaint(reflectance, paint, paint.a, toEye, false);
 }
 vec3 paintedOver(vec3 reflectance, vec2 uv, float metres, vec3 toEye) {
     if (!GRASS_VEGETATION) return reflectance;
     float level = mapLevel(textureSize(vegetationMap, 0), field.vegetationTiling, metres);
-    return underPaint(reflectance, textureLod(vegetationMap, uv * field.vegetationTiling, level), toEye, false);
+    vec4 paint = textureLod(vegetationMap, uv * field.vegetationTiling, level);
+    return underPaint(reflectance, paint, paint.a, toEye, false);
 }
 
 // Light from one direction on a texel and on its other side, from what it stores: `plus` and `minus` are the parts of

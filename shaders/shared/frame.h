@@ -59,6 +59,7 @@ struct STD140 FrameGlobals {
     float treesShadeTo;
     float landLevel;   // height to which the land beyond comes, relative to the eye
     uint chanceShift;  // 256ths by which this frame moves the chances that samples are covered (post/antialias.h)
+    float lookShare;   // of a pixel's width, over which maps are looked up along the ground (lib/looks.glsl)
 };
 
 #ifdef __cplusplus

@@ -37,7 +37,8 @@ vec3 soil(vec2 uv, float beyond) {
     vec2 texels = frame.mapShare * vec2(textureSize(terrainMap, 0)),
          edge = edgePlace(place, frame.terrainSize, 0.0) * texels;
     float pixel = max(length(dFdx(edge)), length(dFdy(edge)));
-    vec4 map = colorAlong(terrainMap, tiled(uv, frame.terrainTiling));
+    float within;
+    vec4 map = colorAlong(terrainMap, tiled(uv, frame.terrainTiling), within);
     if (TERRAIN_BEYOND && beyond > 0.0 && !(frame.terrainTiling > 0.0)) map = mapOfEdge(beyond, texels, pixel);
     return soilColor(image, frame.soilColor, map.rgb, map.a);
 }
