@@ -19,7 +19,7 @@ for _, name in ipairs(entity.list()) do entity.remove(name) end
 
 entity.add("ground", { Terrain = { beyond = "fade", size = size, gridSpacing = 0.5, groundColor = { 0.09, 0.075, 0.045 } } })
 entity.add("turf", { GrassField = {
-    cellSize = 0.5, slices = 20,
+    cellSize = 0.5, slices = 20, sharpness = 3,  -- frames add up, and smooth the grain
     species = { {
         name = "ryegrass", bladesPerM2 = blades / (pitch.x * pitch.z),
         height = 0.0315, heightVariation = 0.2, width = 0.003, bend = 0.25, segments = 2,

@@ -6,6 +6,7 @@
 
 #include "fields.h"
 #include "objects.h"
+#include "pixels.h"
 #include "reference/reference.h"
 #include "scene/antialias.h"
 
@@ -167,6 +168,47 @@ Trail trail(const Pixels& picture, const Pixels& truth, double contrast) {
         }
     t.share = static_cast<double>(off) / std::max(even, 1);
     return t;
+}
+
+// A picture n times as fine, each n x n pixels one.
+Pixels downFrom(size_t n, const Project& p, const ViewCamera& c) {
+    Renderer r(gpu(), tables());
+    ViewSettings s = samples(4);
+    s.width *= static_cast<int>(n), s.height *= static_cast<int>(n);
+    const Pixels fine = drawn(r, p, c, s);
+    Pixels out(size_t{kAcross} * kDown * 3, 0);
+    for (size_t y = 0; y < n * kDown; ++y)
+        for (size_t x = 0; x < n * kAcross; ++x)
+            for (size_t k = 0; k < 3; ++k)
+                out[(y / n * kAcross + x / n) * 3 + k] +=
+                    fine[(y * n * kAcross + x) * 3 + k] / static_cast<float>(n * n);
+    return out;
+}
+
+// White lines of 15 cm over a lawn of the horizontal slice, half as wide as pixels: at rest they are as sharp as of
+// many samples, and as bright.
+TEST(Antialias, AtRestLinesOnTheGroundAreAsSharpAsOfManySamples) {
+    Project p = lawn();
+    FlatField f = flatField(p, "grass");
+    f.technique = nameOf(Technique::Flat);
+    f.species[0].bladesPerM2 = 3000;
+    Map lines({400, 400, 4, PixelType::U8});
+    for (int y = 0; y < 400; ++y)
+        for (int x = 0; x < 400; ++x)
+            for (int c = 0; c < 4; ++c) lines.set(x, y, c, c < 3 ? 0.9f : y % 60 < 3 || x % 60 < 2 ? 0.92f : 0.0f);
+    p.registry.get<GrassField>(findEntity(p, "grass"))->vegetation = {"maps/lines.png", lines};
+    const ViewCamera camera{{10, 26, -34}, {10, 0, 10}, 26, 0};
+    const Pixels many = downFrom(4, p, camera), one = meanOf(p, camera, 1, 1);
+    setAntialias(p, Antialiasing::Temporal);
+    Renderer r(gpu(), tables());
+    ASSERT_TRUE(r.draw(p, camera, samples(1)));
+    while (r.addsUp()) ASSERT_TRUE(r.draw(p, camera, samples(1)));
+    const Pixels rest = r.readLinear();
+    std::printf("lines: contrast of many samples %.3f, at rest %.3f, of one sample %.3f; brightness %.4f, %.4f, %.4f\n",
+                contrast(many), contrast(rest), contrast(one), brightness(many), brightness(rest), brightness(one));
+    EXPECT_NEAR(contrast(rest) / contrast(many), 1, 0.05);
+    EXPECT_NEAR(brightness(rest) / brightness(many), 1, 0.02);
+    EXPECT_LT(distance(rest, many), 0.5 * distance(one, many)) << "one sample is the rival";
 }
 
 TEST(Antialias, NothingTrailsBehindAnEdgeThatAWalkerPasses) {
