@@ -302,10 +302,10 @@ void addPaint(const std::vector<Posed>& standing, const DrawnImages& images, con
     dull.gloss = 0;  // highlights are not painted
     for (int i = 0; i < LOOK_VIEWS; ++i) {
         const auto at = static_cast<size_t>(i);
-        const glm::vec3 e = lookView(i), aim = asTraced(light) ? tracedShow(light.traced->grey, light, e)
-                                                               : asBlades(grey, e, dull).value();
-        const float bare = luminance(asBlades(grey, e, dull).value());
-        out.shine[at] = float(TRACED_GREY) * (quotient(luminance(asBlades(grey, e, light).value()), bare) - 1);
+        const glm::vec3 e = lookView(i), local = asBlades(grey, e, dull).value(),
+                        aim = asTraced(light) ? tracedShow(light.traced->grey, light, e) : local;
+        const float shines = quotient(luminance(asBlades(grey, e, light).value()), luminance(local));
+        out.shine[at] = float(TRACED_GREY) * (shines - 1);
         out.paintAbove[at] = quotient(aim, far * out.far[at]);
         out.paintAcross[at] = quotient(aim, sentAlong(images.shown.views[at], rows, e) * out.slices[at]);
     }

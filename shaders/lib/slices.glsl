@@ -110,7 +110,7 @@ float sharedGain(vec3 toEye, float share) {
     float thin = evenLevel(slices.thinner, lookHeight(toEye) * float(LOOK_ELEVATIONS - 1));
     return mix(1.0, thin, clamp(-log2(max(share, 1e-3)) / log2(float(THIN_DENSITY)), 0.0, 1.0));
 }
-// By how much more light slices send where one looks along it: gains hold for views an eighth of a turn apart. share:
+// By how much more light slices send where one looks along it: gains hold for views a sixteenth of a turn apart. share:
 // as `hotSpot` of SliceGlobals.
 vec3 hotSpot(vec3 share, vec3 toEye, vec3 towards) {
     return GRASS_TRACED ? 1.0 + share * tracedGlow(toEye, towards) : vec3(1.0);
