@@ -50,7 +50,7 @@ struct TracedLight {
     glm::vec3 soilScattered{0};  // polynomial by the sun's elevation
     float soilSky = 1;           // share of the sky's light that comes to the soil
     float soilTilt = 0;          // what that gains a unit of tilt
-    float recollision = 0;       // share of the light that a blade sends which meets another
+    float recollision = 0;       // share of the light that a blade sends which meets another and is seen of it
     LeaningShows leaning;        // last: files of grass that nothing leans end before it
 };
 // The same under a sky of this tilt: each `sky` and `soilSky` are what they are there.

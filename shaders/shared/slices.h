@@ -6,11 +6,11 @@
 #define LOOK_AZIMUTHS 16
 #define LOOK_ELEVATIONS 8
 #define LOOK_VIEWS 128
-#define FAR_LEVELS 8     // of the horizontal slice's images, from the finest on: coarser ones are as the last
-#define SLICE_LEVELS 8   // of vertical slices' images likewise
-#define PAINT_SCALE 4.0  // of LookGain's factors of paint
-#define SHINE_SCALE 0.25
-#define THIN_DENSITY 8  // 1 / the density of LookGain's thin
+#define FAR_LEVELS 8      // of the horizontal slice's images, from the finest on: coarser ones are as the last
+#define SLICE_LEVELS 8    // of vertical slices' images likewise
+#define PAINT_SCALE 4.0   // of LookGain's factors of paint
+#define SHINE_SCALE 0.25  // of LookGain's highlights on paint
+#define THIN_DENSITY 8    // 1 / the density of LookGain's thin
 // Texels of the image of lamps' gains: x, (1 - cosine of the azimuth between eye and light) / 2; y and z, elevations of
 // eye and light as above.
 #define LAMP_AZIMUTHS 7
