@@ -11,6 +11,7 @@
 #include "cost/cost_files.h"
 #include "cost/cost_machine.h"
 #include "cost/cost_report.h"
+#include "cost/cost_shipped.h"
 #include "formulas/kernels.h"
 #include "techniques.h"
 #include "world/camera_path.h"
@@ -87,22 +88,9 @@ void printRow(const CostRow& r) {
                 r.metrics.appearance.sigma, r.technique.c_str(), r.settings.c_str());
 }
 
-// Where the settings that the project ships with stand among the others of their camera.
-void printShipped(const CostRun& run, const std::string& camera) {
-    const auto shipped = std::find_if(run.rows.begin(), run.rows.end(), [&](const CostRow& r) {
-        return r.camera == camera && r.settings == kAsItIs && r.skipped.empty();
-    });
-    if (shipped == run.rows.end()) return;
-    const auto better = std::count_if(run.rows.begin(), run.rows.end(), [&](const CostRow& r) {
-        return r.camera == camera && r.machine == shipped->machine && r.skipped.empty() && beats(r, *shipped);
-    });
-    if (shipped->onFrontier) return void(std::printf("  as it is: on the frontier\n"));
-    std::printf("  as it is: beaten by %ld others\n", static_cast<long>(better));
-    printRow(*shipped);
-}
-
 void printRun(const CostRun& run, const fs::path& folder) {
     if (isatty(STDERR_FILENO)) std::fprintf(stderr, "\r\033[K");
+    const std::vector<ShippedStanding> standings = shippedStandings(run);
     for (const CostFloors& f : run.floors) {
         std::printf("%s, %dx%d: other blades %.5f, few samples %.5f, flat rows %.5f\n", f.camera.c_str(), run.width,
                     run.height, f.seed.distance, f.sampling.distance, f.flat.distance);
@@ -112,7 +100,11 @@ void printRun(const CostRun& run, const fs::path& folder) {
         std::sort(frontier.begin(), frontier.end(),
                   [](const CostRow* a, const CostRow* b) { return a->msMedian < b->msMedian; });
         for (const CostRow* r : frontier) printRow(*r);
-        printShipped(run, f.camera);
+        for (const ShippedStanding& s : standings)
+            if (s.row->camera == f.camera) {
+                std::printf("  as it is: %s\n", standingText(s).c_str());
+                if (!s.beatenBy.empty()) printRow(*s.row);
+            }
     }
     for (const CostRow& r : run.rows)
         if (!r.skipped.empty())

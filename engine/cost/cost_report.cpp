@@ -4,6 +4,7 @@
 #include "core/file.h"
 #include "cost/cost_files.h"
 #include "cost/cost_plot.h"
+#include "cost/cost_shipped.h"
 #include "maps/map_io.h"
 #include "metrics/heatmap.h"
 
@@ -111,6 +112,8 @@ std::string floorsText(const CostFloors& f) {
 std::string cameraPart(const CostRun& run, const CostFloors& f, const fs::path& work,
                        std::span<const TechniqueRow> techniques) {
     std::string out = "<h2>Camera " + escaped(f.camera) + "</h2>\n" + floorsText(f);
+    for (const ShippedStanding& s : shippedStandings(run))
+        if (s.row->camera == f.camera) out += "<p>As it is: " + escaped(standingText(s)) + ".</p>\n";
     if (const Plot plot = costPlot(run, f.camera, techniques); plot.width > 0) out += plotSvg(plot);
     out += tableOf(run, f.camera) + leftOut(run, f.camera);
     std::vector<const CostRow*> frontier;
@@ -167,6 +170,7 @@ Status writeCostFiles(const CostRun& run, const fs::path& folder, const fs::path
     if (Status s = makeFolderOf(folder / "cost.csv"); !s) return s;
     if (Status s = writeFileAtomic(folder / "cost.csv", costCsv(run)); !s) return s;
     if (Status s = writeFileAtomic(folder / "cost.json", writeJson(costJson(run))); !s) return s;
+    if (Status s = writeFileAtomic(folder / "shipped.md", shippedHeader() + shippedRows(run)); !s) return s;
     for (const CostFloors& f : run.floors) {
         const Plot plot = costPlot(run, f.camera, techniques);
         if (plot.width == 0) continue;

@@ -7,9 +7,9 @@
 
 namespace sward {
 
-// techniques: rows of the table, for their colours. Writes cost.csv, cost.json, plot-<camera>.svg and .png, and
-// report.html into the folder, each atomically. `work`: where the sweep kept its pictures; those that are not there are
-// left out of the report.
+// techniques: rows of the table, for their colours. Writes cost.csv, cost.json, plot-<camera>.svg and .png,
+// shipped.md (the project as it is, a row a camera) and report.html into the folder, each atomically. `work`: where the
+// sweep kept its pictures; those that are not there are left out of the report.
 Status writeCostFiles(const CostRun& run, const std::filesystem::path& folder, const std::filesystem::path& work,
                       std::span<const TechniqueRow> techniques);
 std::string base64(std::string_view bytes);

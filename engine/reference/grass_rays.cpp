@@ -74,8 +74,8 @@ void eachPiece(const glm::vec2& start, float size, float reach, const glm::vec3&
     }
 }
 
-// Calls ask(query, embree's ray, where on the ray that begins) for each species in each cell on the way that has
-// anything to meet.
+// Calls ask(query, embree's scene and ray, where on the ray that begins) for each species in each cell on the way that
+// has anything to meet.
 template <class F>
 void eachScene(const RayField& f, const Ray& ray, Memory& memory, const double& end, const F& ask) {
     if (f.kinds.empty()) return;
@@ -84,13 +84,16 @@ void eachScene(const RayField& f, const Ray& ray, Memory& memory, const double& 
         const Kind& kind = *f.kinds[k];
         const double reach = static_cast<double>(kind.reach);
         march(f, ray, reach, end, [&](int x, int z, double from, double to) {
-            const Cell& cell = cellAt(f, memory, k, x, z);
+            Cell& cell = cellAt(f, memory, k, x, z);
             if (!cell.scene) return;
             const auto [a, b] = within(ray.origin.y, ray.way.y, cell.base + static_cast<double>(cell.ground.low) - 1e-3,
                                        cell.base + static_cast<double>(cell.ground.high) + reach, from, to);
             if (!(a <= b)) return;
-            Query q{{}, &f, k, &kind, &memory, &cell, x, z, {}, glm::vec3(ray.way), ray.grain};
+            const PosedCell* posed = posedCell(f, k, cell, x, z);
+            Query q{{}, &f, k, &kind, &memory, &cell, posed, x, z, {}, glm::vec3(ray.way), ray.grain};
             q.origin = glm::vec3(ray.origin + ray.way * a - glm::dvec3(x * size, cell.base, z * size));
+            const float far = static_cast<float>(std::min(end, b) - a) * 1.0001f + 1e-6f;
+            if (posed) return void(ask(q, posed->scene.get(), embreeRay(q.origin, q.way, 0, far), a));
             // Into the patch's frame: over the plane of the ground, mirrored, and begun where the cell begins the
             // patch.
             const CellGround& g = cell.ground;
@@ -98,9 +101,9 @@ void eachScene(const RayField& f, const Ray& ray, Memory& memory, const double& 
             o.y -= g.slopeX * o.x + g.slopeZ * o.z, w.y -= g.slopeX * w.x + g.slopeZ * w.z;
             if (cell.version.mirror.x < 0) o.x = f.grass->cellSize - o.x, w.x = -w.x;
             if (cell.version.mirror.y < 0) o.z = f.grass->cellSize - o.z, w.z = -w.z;
-            eachPiece(cell.version.shift * f.grass->cellSize, f.grass->cellSize, kind.reach, o, w,
-                      static_cast<float>(std::min(end, b) - a) * 1.0001f + 1e-6f,
-                      [&](const glm::vec3& start, float far) { ask(q, embreeRay(start, w, 0, far), a); });
+            eachPiece(
+                cell.version.shift * f.grass->cellSize, f.grass->cellSize, kind.reach, o, w, far,
+                [&](const glm::vec3& start, float piece) { ask(q, cell.scene, embreeRay(start, w, 0, piece), a); });
         });
     }
 }
@@ -154,14 +157,15 @@ std::optional<Surface> GrassRays::closest(const Ray& ray, GrassMemory& memory) c
     double end = ray.far;
     std::optional<Query> best;
     for (const auto& field : fields_)
-        eachScene(*field, ray, *memory.tables, end, [&](Query& q, const RTCRay& r, double from) {
+        eachScene(*field, ray, *memory.tables, end, [&](Query& q, RTCScene scene, const RTCRay& r, double from) {
             RTCRayHit hit{r, {}};
-            closestHit(q.cell->scene, q.context, hit);
+            closestHit(scene, q.context, hit);
             if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return;
             const double t = from + static_cast<double>(hit.ray.tfar);
             if (t >= end) return;
             end = t;
             best = q;
+            if (q.posed) best->blade = numberOf(*q.posed, q.blade);
         });
     if (!best) return std::nullopt;
     // The memory may have given the cell's place to another: its number is the query's.
@@ -187,8 +191,8 @@ bool GrassRays::blocks(const Ray& ray, GrassMemory& memory, FieldBits of) const 
     bool blocked = false;
     for (const auto& field : fields_) {
         if (blocked || !(of >> field->number & 1)) continue;
-        eachScene(*field, ray, *memory.tables, end, [&](Query& q, const RTCRay& r, double) {
-            if (blocked || !anyHit(q.cell->scene, q.context, r)) return;
+        eachScene(*field, ray, *memory.tables, end, [&](Query& q, RTCScene scene, const RTCRay& r, double) {
+            if (blocked || !anyHit(scene, q.context, r)) return;
             blocked = true;
             end = -std::numeric_limits<double>::infinity();
         });

@@ -2,9 +2,9 @@
 // shared numerics, met exactly (numerics/ribbon.h). No level of detail, no fading: a blade exists where the density
 // reaches its threshold. How: a field repeats a patch, but paint and clumps lean each copy's blades another way. Embree
 // holds one scene of boxes a patch, wide enough for every lean within a class (prefix of thresholds, mean lean,
-// spread); a blade is posed when a ray meets its box, kept for a while, and tested in closed form. So memory does not
-// grow with the field, and a cell seen once costs what was seen. Does not: ground, objects, light. Cost: 2 to 10 us a
-// ray.
+// spread); a blade is posed when a ray meets its box, kept for a while, and tested in closed form. Cells that many rays
+// ask for get boxes of their own (posed_cells.h), up to a budget. So memory does not grow with the field, and a cell
+// seen once costs what was seen. Does not: ground, objects, light. Cost: 2 to 10 us a ray.
 #pragma once
 #include <memory>
 #include <optional>
@@ -17,7 +17,7 @@
 
 namespace sward {
 
-// What a thread remembers of cells and blades between rays: about 12 MB.
+// What a thread remembers of cells and blades between rays: about 16 MB.
 struct GrassMemory {
     GrassMemory();
     ~GrassMemory();

@@ -369,10 +369,12 @@ Result<std::vector<std::unique_ptr<RayField>>> makeRayFields(const Project& p, d
     if (Status s = checkFields(p); !s) return s.error();
     if (Status s = checkUnique(p); !s) return s.error();
     size_t kinds = 0;
+    const auto posedBytes = std::make_shared<std::atomic<size_t>>(0);
     for (const auto& [name, field] : fieldsOf(p)) {
         auto f = std::make_unique<RayField>();
         f->number = static_cast<uint32_t>(fields.size());
         f->firstKind = kinds;
+        f->posedBytes = posedBytes;
         f->terrain = terrain;
         f->grass = &field.grows;
         updateHeightBounds(f->bounds, *terrain);
@@ -410,7 +412,7 @@ uint32_t bladesIn(const RayField& f, const Kind& kind, Cell& cell, int x, int z)
     return last - first;
 }
 
-const Cell& cellAt(const RayField& f, Memory& memory, size_t kind, int x, int z) {
+Cell& cellAt(const RayField& f, Memory& memory, size_t kind, int x, int z) {
     const uint64_t key = cellKey(static_cast<int>(f.firstKind + kind), x, z);
     Cell& c = memory.cells[slotOf(key) & (kCells - 1)];
     if (c.key == key) return c;

@@ -10,6 +10,7 @@
 #include "grass/appearance.h"
 #include "reference/embree.h"
 #include "reference/grass_rays.h"
+#include "reference/posed_cells.h"
 #include "reference/standing.h"
 #include "scene/unique.h"
 #include "world/forces.h"
@@ -33,12 +34,15 @@ struct Cell {
     WindGlobals wind{};   // about the cell's corner, as strong as the kind feels it; unused in a calm
     CellGround ground;
     uint32_t first = 0;  // of its blades among the kind's
+    // Of posedCell: null where it has not made it; rays since it last tried to; blades that it may have.
+    const PosedCell* posed = nullptr;
+    uint32_t asked = 0, mayHold = 0;
 };
 struct Kept {
     uint64_t key = ~uint64_t(0);
     Posed blade;
 };
-constexpr size_t kCells = 1 << 12, kBlades = 1 << 17;
+constexpr size_t kCells = 1 << 15, kBlades = 1 << 17;
 
 struct GrassMemory::Tables {
     std::vector<Cell> cells{kCells};
@@ -76,6 +80,7 @@ struct Kind {
     DevicePtr device;
     mutable std::mutex mutex;
     mutable std::map<SceneKey, BoxScene> scenes;
+    mutable PosedCells posed;
 };
 
 // A field of grass as its wind bends it at a time.
@@ -91,6 +96,7 @@ struct RayField {
     double time = 0;
     std::vector<Force> forces;
     std::vector<std::unique_ptr<Kind>> kinds;
+    std::shared_ptr<std::atomic<size_t>> posedBytes;  // of all fields' posed cells
 };
 
 // A ray within a cell, as the callbacks of its scene see it. First member: Embree's.
@@ -101,10 +107,11 @@ struct Query {
     const Kind* kind;
     GrassMemory::Tables* memory;
     const Cell* cell;
+    const PosedCell* posed;  // null: the scene is that of the cell's class
     int x, z;
     glm::vec3 origin, way;  // relative to the cell's corner and base height
     uint32_t grain;
-    uint32_t blade = 0;  // of the closest hit
+    uint32_t blade = 0;  // of the closest hit: number of its box in the scene
     f32::RibbonHit hit{};
 };
 
@@ -121,6 +128,6 @@ Result<std::vector<std::unique_ptr<RayField>>> makeRayFields(const Project& p, d
 Cell bareCell(const RayField& f, size_t kind, int x, int z);
 uint32_t bladesIn(const RayField& f, const Kind& kind, Cell& cell, int x, int z);
 // The cell at x, z with the scene of its blades' boxes, from a thread's memory or made.
-const Cell& cellAt(const RayField& f, GrassMemory::Tables& memory, size_t kind, int x, int z);
+Cell& cellAt(const RayField& f, GrassMemory::Tables& memory, size_t kind, int x, int z);
 
 }  // namespace sward

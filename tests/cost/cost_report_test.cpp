@@ -25,7 +25,7 @@ TEST(CostReport, IsOneFileThatRefersToNothingElse) {
     EXPECT_NE(html.find("data:image/png;base64,iVBORw0KGgo"), std::string::npos);
     for (const char* outside : {"src=\"http", "href=", "url(", "@import", "src=\"row"})
         EXPECT_EQ(html.find(outside), std::string::npos) << outside;
-    for (const char* file : {"cost.csv", "cost.json", "plot-eye.svg", "plot-eye.png"})
+    for (const char* file : {"cost.csv", "cost.json", "plot-eye.svg", "plot-eye.png", "shipped.md"})
         EXPECT_TRUE(std::filesystem::exists(dir / file)) << file;
 }
 
