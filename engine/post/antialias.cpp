@@ -12,9 +12,9 @@ namespace {
 
 constexpr const char* kOwner = "post/antialias";
 constexpr uint32_t kPlaces = 64;  // within a pixel, until they repeat
-// Each frame of a picture at rest looks at another place of the pixel, and sees about a part of it: over all of it,
-// their mean would be blurred twice. Of a picture that moves so little is kept that such looks would flicker.
-constexpr float kLookAtRest = 0.35f;
+// Each frame looks at another place of the pixel, and sees about a part of it: over all of it, their mean would be
+// blurred twice.
+constexpr float kLookShare = 0.35f;
 constexpr float kStillFrames = 4;  // a picture at rest becomes the mean of so many times the frames of one that moves
 
 // What a picture shows from where; two that are equal show the same.
@@ -92,7 +92,7 @@ void shift(DrawContext& ctx) {
     const glm::vec2 place = 2.0f * placeInPixel(s.frame) * g.pixelShare;
     g.viewProj = glm::translate(glm::mat4(1), glm::vec3(place, 0)) * g.viewProj;
     g.invViewProj = glm::inverse(g.viewProj);
-    if (stands(s)) g.lookShare = kLookAtRest;
+    g.lookShare = kLookShare;
     g.chanceShift = s.frame * 159 % 256;  // by the golden section, as near as 256ths come
 }
 

@@ -7,10 +7,11 @@ layout(binding = TEX_DEPTH) uniform sampler2D depths;
 layout(binding = TEX_MOTION) uniform sampler2D motions;
 layout(binding = TEX_HISTORY) uniform sampler2D history;  // mean; number of frames
 layout(binding = TEX_HISTORY_DISTANCE) uniform sampler2D distances;
-layout(location = 0) uniform mat4 seen;    // eye-relative to clip, not moved by a part of a pixel
-layout(location = 1) uniform mat4 before;  // the same of the frame before, from positions relative to this frame's eye
-layout(location = 2) uniform float most;   // frames that a mean may be of; 1: there were none
-layout(location = 3) uniform bool still;   // nothing moved, nor did time go on
+layout(location = 0) uniform mat4 seen;  // eye-relative to clip, not moved by a part of a pixel
+layout(location = 1) uniform mat4
+    seenBefore;                           // the same of the frame before, from positions relative to this frame's eye
+layout(location = 2) uniform float most;  // frames that a mean may be of; 1: there were none
+layout(location = 3) uniform bool still;  // nothing moved, nor did time go on
 layout(location = 0) out vec4 mean;
 layout(location = 1) out float distance_;  // metres along the eye's axis; below 0: something about the pixel moved
 
@@ -65,7 +66,7 @@ Way wayOf(ivec2 pixel, float depth) {
     vec2 at = (vec2(pixel) + 0.5) * frame.pixelShare * 2.0 - 1.0;
     vec4 here = frame.invViewProj * vec4(at, depth, 1.0);  // w is 0 infinitely far away
     vec4 there = vec4(here.xyz - texelFetch(motions, pixel, 0).xyz * here.w, here.w);
-    vec4 now = seen * here, then = before * there;
+    vec4 now = seen * here, then = seenBefore * there;
     Way w;
     w.known = then.w > 0.0;
     w.moved = (now.xy / now.w - then.xy / max(then.w, 1e-9)) * 0.5 * frame.pixels;
@@ -73,15 +74,19 @@ Way wayOf(ivec2 pixel, float depth) {
     return w;
 }
 
-// Whether none of what was seen about a place in the frame before is as far away as `far`.
-bool wasHidden(vec2 at, float far) {
+// What was seen about a place in the frame before, whether none of it as far away as `far`, and whether some of it
+// stood far in front of the rest.
+struct Before {
+    bool hidden, edge;
+};
+Before beforeAt(vec2 at, float far) {
     float low = kNever * 2.0, high = 0.0;
     for (int y = -1; y <= 1; ++y)
         for (int x = -1; x <= 1; ++x) {
             float d = abs(texelFetch(distances, inside(ivec2(floor(at)) + ivec2(x, y)), 0).r);
             low = min(low, d), high = max(high, d);
         }
-    return high < far * (1.0 - kOff) || low > far * (1.0 + kOff);
+    return Before(high < far * (1.0 - kOff) || low > far * (1.0 + kOff), high > low * kInFront);
 }
 
 // The history between its pixels: Catmull and Rom's cubic, so that what is looked up frame after frame stays sharp.
@@ -110,10 +115,12 @@ vec4 kept(ivec2 pixel, Around a) {
     bool here = all(lessThan(abs(w.moved), vec2(kUnmoved)));
     bool moved = a.moves || texelFetch(distances, pixel, 0).r < 0.0;  // what was there may have left it
     if (here && !moved) return texelFetch(history, pixel, 0);
-    if (!w.known || any(lessThan(from, vec2(0.0))) || any(greaterThan(from, frame.pixels)) || wasHidden(from, w.far))
+    Before before = beforeAt(from, w.far);
+    if (!w.known || any(lessThan(from, vec2(0.0))) || any(greaterThan(from, frame.pixels)) || before.hidden)
         return vec4(a.mean, kGuess);
     vec4 was = here ? texelFetch(history, pixel, 0) : vec4(historyAt(from), texelFetch(history, ivec2(from), 0).a);
     was.a = min(was.a, kCarried / max(length(w.moved), kUnmoved));
+    if (!moved && !before.edge) return was;
     vec3 low = max(a.low, a.mean - kSpread * a.spread), high = min(a.high, a.mean + kSpread * a.spread);
     return vec4(clamp(was.rgb, low, high), was.a);
 }

@@ -185,9 +185,19 @@ Pixels downFrom(size_t n, const Project& p, const ViewCamera& c) {
     return out;
 }
 
-// White lines of 15 cm over a lawn of the horizontal slice, half as wide as pixels: at rest they are as sharp as of
-// many samples, and as bright.
-TEST(Antialias, AtRestLinesOnTheGroundAreAsSharpAsOfManySamples) {
+// The part of a picture in its middle.
+Pixels middle(const Pixels& p) {
+    Pixels out;
+    for (int y = kDown / 3; y < kDown * 2 / 3; ++y) {
+        const auto row = p.begin() + (y * kAcross) * 3;
+        out.insert(out.end(), row + kAcross, row + 2 * kAcross);
+    }
+    return out;
+}
+
+// White lines of 15 cm over a lawn of the horizontal slice, half as wide as pixels: at rest and for who walks towards
+// them they are as sharp as of many samples, and as bright.
+TEST(Antialias, LinesOnTheGroundAreAsSharpAsOfManySamples) {
     Project p = lawn();
     FlatField f = flatField(p, "grass");
     f.technique = nameOf(Technique::Flat);
@@ -204,8 +214,13 @@ TEST(Antialias, AtRestLinesOnTheGroundAreAsSharpAsOfManySamples) {
     ASSERT_TRUE(r.draw(p, camera, samples(1)));
     while (r.addsUp()) ASSERT_TRUE(r.draw(p, camera, samples(1)));
     const Pixels rest = r.readLinear();
+    Renderer walker(gpu(), tables());
+    const glm::dvec3 way = glm::normalize(camera.target - camera.eye) * kStep;
+    const Pixels walking = middle(lastOf({camera, way, 0}, walker, p)), lawn = middle(many);
     std::printf("lines: contrast of many samples %.3f, at rest %.3f, of one sample %.3f; brightness %.4f, %.4f, %.4f\n",
                 contrast(many), contrast(rest), contrast(one), brightness(many), brightness(rest), brightness(one));
+    std::printf("walking: distance %.4f, of one sample %.4f\n", distance(walking, lawn), distance(middle(one), lawn));
+    EXPECT_LT(distance(walking, lawn), 0.6 * distance(middle(one), lawn)) << "one sample is the rival";
     EXPECT_NEAR(contrast(rest) / contrast(many), 1, 0.05);
     EXPECT_NEAR(brightness(rest) / brightness(many), 1, 0.02);
     EXPECT_LT(distance(rest, many), 0.5 * distance(one, many)) << "one sample is the rival";
