@@ -193,8 +193,7 @@ bool isSownWhole(const Field& field) {
 }
 
 void describeCells(GLuint mesh, GLuint cells, size_t stride, GLuint indices) {
-    static_assert(sizeof(CellInstance) == sizeof(SliceCell) &&
-                  offsetof(CellInstance, corner) == offsetof(SliceCell, x) &&
+    static_assert(offsetof(CellInstance, corner) == offsetof(SliceCell, x) &&
                   offsetof(CellInstance, mirror) == offsetof(SliceCell, mirror) &&
                   offsetof(CellInstance, shift) == offsetof(SliceCell, shift));
     glVertexArrayVertexBuffer(mesh, 0, cells, 0, static_cast<GLsizei>(stride));

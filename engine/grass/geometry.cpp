@@ -125,7 +125,13 @@ void selectHere(DrawContext& ctx, Selection& s, const CellQuery& query, Transpar
     s.selected = selectCells(query);
     std::vector<CellInstance> instances;
     instances.reserve(s.selected.size());
-    for (const CellDraw& c : s.selected) instances.push_back({{c.cellX, c.cellZ}, {c.x, c.z}, c.mirror, c.shift});
+    for (const CellDraw& c : s.selected)
+        instances.push_back({{c.cellX, c.cellZ},
+                             {c.x, c.z},
+                             c.mirror,
+                             c.shift,
+                             f32::middleLacked(std::max(c.segments, 1), query.segments),
+                             0});
     writeBuffer(ctx.gpu, s.cells, kOwner, instances.size() * sizeof(CellInstance), instances.data());
     if (ctx.gpu.software)
         commandLists(ctx, s, query, way);
@@ -175,6 +181,9 @@ void cullSpecies(DrawContext& ctx, Field& field, size_t i, Selection& s) {
     else
         selectHere(ctx, s, query, drawing.transparency);
     describeCells(s.vertices.id(), s.cells.id(), sizeof(CellInstance), s.mesh->indices.id());
+    glEnableVertexArrayAttrib(s.vertices.id(), 4);
+    glVertexArrayAttribBinding(s.vertices.id(), 4, 0);
+    glVertexArrayAttribFormat(s.vertices.id(), 4, 1, GL_FLOAT, GL_FALSE, offsetof(CellInstance, middleLacked));
     publish(ctx, s, own);
     s.shadowShare = shades ? ctx.settings.detail * own.draws.shading : 0;
 }
@@ -199,6 +208,7 @@ void commandCells(const DrawContext& ctx, const Selection& s) {
     glUniform1f(2, std::clamp(ctx.settings.detail, kLeastDetail, 1.0f));
     glUniform1f(3, std::clamp(s.shadowShare, kLeastDetail, 1.0f));
     glUniform1ui(4, s.shadowShare > 0 ? static_cast<GLuint>(std::min(s.mesh->segments, kShadowQuads)) : 0u);
+    glUniform1i(5, s.mesh->segments);
     glDispatchCompute((s.chosen.count + 63) / 64, 1, 1);
 }
 

@@ -19,8 +19,10 @@
 struct BladeColor {
     vec3 reflectance, scattered;
 };
-BladeColor bladeColor(float hue, float lightness, float v, vec2 uv) {
-    vec3 own = bladeTint(bladeGradient(species.rootColor, species.midColor, species.tipColor, v), hue, lightness);
+// middleLacked: by the rows of the strip that it is a vertex of.
+BladeColor bladeColor(float hue, float lightness, float v, float middleLacked, vec2 uv) {
+    vec3 own = bladeTint(bladeGradientRow(species.rootColor, species.midColor, species.tipColor, v, middleLacked), hue,
+                         lightness);
     if (!GRASS_VEGETATION) return BladeColor(own, vec3(1.0));
     vec4 paint = textureLod(vegetationMap, uv * field.vegetationTiling, 0.0);
     vec3 painted = mix(own, paint.rgb, paint.a);

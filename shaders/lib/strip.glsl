@@ -4,10 +4,11 @@ layout(location = 0) in ivec2 cell;
 layout(location = 1) in vec2 cellCorner;  // relative to the eye
 layout(location = 2) in vec2 mirror;      // of the cell's version of the patch (numerics/population.h)
 layout(location = 3) in vec2 shift;
+layout(location = 4) in float lacked;  // CellInstance.middleLacked
 #include "lib/blade.glsl"
 #include "shared/grass.h"
 
-CellInstance cellHere() { return CellInstance(cell, cellCorner, mirror, shift); }
+CellInstance cellHere() { return CellInstance(cell, cellCorner, mirror, shift, lacked, 0.0); }
 Blade bladeHere() { return blades[gl_VertexID / (2 * (species.segments + 1))]; }
 Stand standHere(Blade b) {
     int corner = gl_VertexID % (2 * (species.segments + 1));

@@ -39,7 +39,7 @@ TessBlade tessBlade(TessCell c, uint index) {
     TessBlade t;
     t.level = 0;
     Blade b = blades[index];
-    Stand s = standAt(CellInstance(c.cell, c.corner, c.mirror, c.shift), b, 0.0, 0.0);
+    Stand s = standAt(CellInstance(c.cell, c.corner, c.mirror, c.shift, 0.0, 0.0), b, 0.0, 0.0);
     if (!exists(s)) return t;
     float distance = length(s.root), kept = densityKept(1.0, distance, tess.thinning);
     float share = min(geometryOpacity(s.density * kept, 0.0, s.threshold, species.fade) / s.opacity, 1.0),
@@ -83,10 +83,10 @@ vec2 maskOf(TessBlade t, vec3 fromRoot) {
 BladeLight lightPoint(TessBlade t, vec3 fromRoot, vec3 normal, float v, out vec3 shown) {
     vec3 position = t.root + fromRoot;
     shown = dot(normal, position) > 0.0 ? -normal : normal;
-    BladeLight l =
-        lightBlade(Lit(bladeColor(t.hue, t.lightness, v, t.uv), normal, shown, unitOr(-position, 1e-6, shown), position,
-                       fromRoot, t.pose.facing, t.pose.upright, mix(species.rootOpen, 1.0, v), t.density),
-                   t.uv);
+    BladeLight l = lightBlade(Lit(bladeColor(t.hue, t.lightness, v, middleLackedEvenly(t.level), t.uv), normal, shown,
+                                  unitOr(-position, 1e-6, shown), position, fromRoot, t.pose.facing, t.pose.upright,
+                                  mix(species.rootOpen, 1.0, v), t.density),
+                              t.uv);
     if (viewMode() == VIEW_NORMALS) l.lit.rgb = shown * 0.5 + 0.5;
     return l;
 }

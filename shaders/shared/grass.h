@@ -96,6 +96,8 @@ struct CellInstance {
     vec2 corner;  // relative to the eye
     vec2 mirror;  // numerics/population.h, CellVersion
     vec2 shift;
+    float middleLacked;  // of its blades' strips (numerics/population.h)
+    float unused;        // a multiple of 8 bytes
 };
 
 #ifdef __cplusplus
