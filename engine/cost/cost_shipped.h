@@ -19,7 +19,7 @@ std::vector<ShippedStanding> shippedStandings(const CostRun& run);
 // In one line: times and shares, and whether it is on the frontier or which setting beats it.
 std::string standingText(const ShippedStanding& standing);
 
-// The same as rows of a table in Markdown, under `shippedHeader`; each begins with the project and its size.
+// Rows of a table in Markdown, a camera each, and the head that belongs over them.
 std::string shippedHeader();
 std::string shippedRows(const CostRun& run);
 

@@ -70,4 +70,24 @@ struct DropScene {
 using DevicePtr = std::unique_ptr<std::remove_pointer_t<RTCDevice>, DropDevice>;
 using ScenePtr = std::unique_ptr<std::remove_pointer_t<RTCScene>, DropScene>;
 
+// A scene of so many boxes, each around something that callbacks know how to meet; any: null where nobody asks whether
+// a ray meets anything. `owner`: what callbacks get as the geometry's own; it must outlive the scene.
+template <void (*Bounds)(const RTCBoundsFunctionArguments*)>
+ScenePtr sceneOfBoxes(RTCDevice device, size_t boxes, void* owner, RTCIntersectFunctionN closest,
+                      RTCOccludedFunctionN any) {
+    ScenePtr scene(rtcNewScene(device));
+    RTCGeometry g = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryUserPrimitiveCount(g, static_cast<unsigned>(boxes));
+    rtcSetGeometryUserData(g, owner);
+    rtcSetGeometryBoundsFunction(
+        g, [](const RTCBoundsFunctionArguments* a) { Bounds(a); }, nullptr);
+    rtcSetGeometryIntersectFunction(g, closest);
+    if (any) rtcSetGeometryOccludedFunction(g, any);
+    rtcCommitGeometry(g);
+    rtcAttachGeometry(scene.get(), g);
+    rtcReleaseGeometry(g);
+    rtcCommitScene(scene.get());
+    return scene;
+}
+
 }  // namespace sward

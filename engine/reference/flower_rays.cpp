@@ -148,17 +148,7 @@ void flowerBounds(const RTCBoundsFunctionArguments* a) {
 bool makeScene(RayFlowers& f) {
     f.device.reset(rtcNewDevice(nullptr));
     if (!f.device) return false;
-    f.scene.reset(rtcNewScene(f.device.get()));
-    RTCGeometry g = rtcNewGeometry(f.device.get(), RTC_GEOMETRY_TYPE_USER);
-    rtcSetGeometryUserPrimitiveCount(g, static_cast<unsigned>(f.standing.size()));
-    rtcSetGeometryUserData(g, &f);
-    rtcSetGeometryBoundsFunction(
-        g, [](const RTCBoundsFunctionArguments* a) { flowerBounds(a); }, nullptr);
-    rtcSetGeometryIntersectFunction(g, meetClosest);
-    rtcCommitGeometry(g);
-    rtcAttachGeometry(f.scene.get(), g);
-    rtcReleaseGeometry(g);
-    rtcCommitScene(f.scene.get());
+    f.scene = sceneOfBoxes<flowerBounds>(f.device.get(), f.standing.size(), &f, meetClosest, nullptr);
     return rtcGetDeviceError(f.device.get()) == RTC_ERROR_NONE;
 }
 

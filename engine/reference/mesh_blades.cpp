@@ -247,18 +247,8 @@ Status makeScene(MeshShell& s) {
     if (!s.device)
         return failed("rays cannot be prepared: Embree has no memory, or does not know this processor",
                       "close other programs");
-    s.scene.reset(rtcNewScene(s.device.get()));
-    RTCGeometry g = rtcNewGeometry(s.device.get(), RTC_GEOMETRY_TYPE_USER);
-    rtcSetGeometryUserPrimitiveCount(g, static_cast<unsigned>(s.blades.size()));
-    rtcSetGeometryUserData(g, &s);
-    rtcSetGeometryBoundsFunction(
-        g, [](const RTCBoundsFunctionArguments* a) { placedBounds(a); }, nullptr);
-    rtcSetGeometryIntersectFunction(g, (meetClosestBlade<ShellQuery, bladeMet>));
-    rtcSetGeometryOccludedFunction(g, (meetAnyBlade<ShellQuery, bladeMet>));
-    rtcCommitGeometry(g);
-    rtcAttachGeometry(s.scene.get(), g);
-    rtcReleaseGeometry(g);
-    rtcCommitScene(s.scene.get());
+    s.scene = sceneOfBoxes<placedBounds>(s.device.get(), s.blades.size(), &s, meetClosestBlade<ShellQuery, bladeMet>,
+                                         meetAnyBlade<ShellQuery, bladeMet>);
     return {};
 }
 

@@ -31,21 +31,6 @@ void partBounds(const RTCBoundsFunctionArguments* a) {
     *a->bounds_o = {low.x, low.y, low.z, 0, high.x, high.y, high.z, 0};
 }
 
-void makeScene(PosedCell& c, RTCDevice device) {
-    c.scene.reset(rtcNewScene(device));
-    RTCGeometry g = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
-    rtcSetGeometryUserPrimitiveCount(g, static_cast<unsigned>(c.blades.size() * kParts));
-    rtcSetGeometryUserData(g, &c);
-    rtcSetGeometryBoundsFunction(
-        g, [](const RTCBoundsFunctionArguments* a) { partBounds(a); }, nullptr);
-    rtcSetGeometryIntersectFunction(g, (meetClosestBlade<Query, posedMet>));
-    rtcSetGeometryOccludedFunction(g, (meetAnyBlade<Query, posedMet>));
-    rtcCommitGeometry(g);
-    rtcAttachGeometry(c.scene.get(), g);
-    rtcReleaseGeometry(g);
-    rtcCommitScene(c.scene.get());
-}
-
 std::unique_ptr<PosedCell> poseCell(const RayField& f, const Kind& kind, const Cell& cell, uint32_t blades, int x,
                                     int z) {
     auto out = std::make_unique<PosedCell>();
@@ -54,7 +39,8 @@ std::unique_ptr<PosedCell> poseCell(const RayField& f, const Kind& kind, const C
         if (b.width > 0) out->blades.push_back({b.root, b.control, b.tip, b.facing, b.width, i});
     }
     out->blades.shrink_to_fit();
-    makeScene(*out, kind.device.get());
+    out->scene = sceneOfBoxes<partBounds>(kind.device.get(), out->blades.size() * kParts, out.get(),
+                                          meetClosestBlade<Query, posedMet>, meetAnyBlade<Query, posedMet>);
     return out;
 }
 

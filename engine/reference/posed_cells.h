@@ -15,7 +15,7 @@
 
 namespace sward {
 
-constexpr size_t kPosedBytes = size_t{192} << 20;
+constexpr size_t kPosedBytes = size_t{192} << 20;  // of blades and boxes, of all fields of a project
 
 // A blade relative to its cell's corner and base height. index: its number among the cell's.
 struct PosedBlade {

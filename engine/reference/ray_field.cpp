@@ -168,18 +168,8 @@ RTCScene sceneFor(const Kind& kind, const SceneKey& key, std::span<const Blade> 
     s.spread = static_cast<float>(key.spread) * kSpreadStep;
     s.scale = kind.clumps.y;
     s.bump = key.bump == 0 ? 1e-6f : kBump * std::exp2(static_cast<float>(key.bump - 1));
-    s.scene.reset(rtcNewScene(kind.device.get()));
-    RTCGeometry g = rtcNewGeometry(kind.device.get(), RTC_GEOMETRY_TYPE_USER);
-    rtcSetGeometryUserPrimitiveCount(g, static_cast<unsigned>(blades.size()));
-    rtcSetGeometryUserData(g, &s);
-    rtcSetGeometryBoundsFunction(
-        g, [](const RTCBoundsFunctionArguments* a) { cellBounds(a); }, nullptr);
-    rtcSetGeometryIntersectFunction(g, (meetClosestBlade<Query, bladeMet>));
-    rtcSetGeometryOccludedFunction(g, (meetAnyBlade<Query, bladeMet>));
-    rtcCommitGeometry(g);
-    rtcAttachGeometry(s.scene.get(), g);
-    rtcReleaseGeometry(g);
-    rtcCommitScene(s.scene.get());
+    s.scene = sceneOfBoxes<cellBounds>(kind.device.get(), blades.size(), &s, meetClosestBlade<Query, bladeMet>,
+                                       meetAnyBlade<Query, bladeMet>);
     return s.scene.get();
 }
 

@@ -94,7 +94,7 @@ FN real middleLacked(int quads, int segments) {
     }
     return real(0.5) - shown;
 }
-// The same of quads of equal height.
+// middleLacked of quads of equal height.
 FN real middleLackedEvenly(int quads) { return (quads & 1) == 1 ? real(0.5) / real(quads * quads) : real(0.0); }
 // bladeGradient at a row, with what rows lack.
 FN vec3 bladeGradientRow(vec3 root, vec3 middle, vec3 tip, real v, real lacked) {

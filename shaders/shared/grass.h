@@ -97,7 +97,7 @@ struct CellInstance {
     vec2 mirror;  // numerics/population.h, CellVersion
     vec2 shift;
     float middleLacked;  // of its blades' strips (numerics/population.h)
-    float unused;        // a multiple of 8 bytes
+    float unused;        // keeps the size a multiple of 8 bytes, as shaders have it
 };
 
 #ifdef __cplusplus
