@@ -44,6 +44,7 @@ struct FlowerQuery {
     const RayFlowers* all;
     glm::vec3 origin, way;
     uint32_t grain;
+    uint32_t left;  // as Ray has it
     uint32_t number = 0;
     Meeting met;
 };
@@ -130,6 +131,7 @@ void meetClosest(const RTCIntersectFunctionNArguments* a) {
     if (!a->valid[0]) return;
     FlowerQuery& q = *reinterpret_cast<FlowerQuery*>(a->context);
     RTCRayHit& r = *reinterpret_cast<RTCRayHit*>(a->rayhit);
+    if (a->primID == q.left) return;
     const auto met = flowerMet(q, q.all->standing[a->primID], r.ray.tnear, r.ray.tfar);
     if (!met) return;
     q.number = a->primID;
@@ -213,7 +215,7 @@ std::optional<Surface> FlowerRays::closest(const Ray& ray) const {
     const RayFlowers& all = *flowers_;
     if (!all.scene) return std::nullopt;
     const glm::dvec3 from = ray.origin + ray.way * ray.near;
-    FlowerQuery q{{}, &all, glm::vec3(from), glm::vec3(ray.way), ray.grain, 0, {}};
+    FlowerQuery q{{}, &all, glm::vec3(from), glm::vec3(ray.way), ray.grain, ray.left, 0, {}};
     RTCRayHit hit{embreeRay(q.origin, q.way, 0, static_cast<float>(std::min(ray.far - ray.near, 1e30))), {}};
     closestHit(all.scene.get(), q.context, hit);
     if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
@@ -221,6 +223,7 @@ std::optional<Surface> FlowerRays::closest(const Ray& ray) const {
     const FlowerKind& kind = all.kinds[one.kind];
     Surface s;
     s.met = Met::Flower;
+    s.flower = q.number;
     s.t = ray.near + static_cast<double>(q.met.t);
     s.at = ray.origin + ray.way * s.t;
     s.normal = s.face = q.met.normal;

@@ -162,15 +162,15 @@ std::optional<Surface> meet(const View& v, Ray ray, GrassMemory& memory) {
 
 Ray leave(const Surface& s, const glm::vec3& towards, double far, Dice& dice) {
     const double off = s.met == Met::Blade ? kOffBlade : kOffSolid, side = glm::dot(s.face, towards) < 0 ? -1 : 1;
-    return {s.at + glm::dvec3(s.face) * (off * side), glm::normalize(glm::dvec3(towards)), 0, far, dice.grain()};
+    return {
+        s.at + glm::dvec3(s.face) * (off * side), glm::normalize(glm::dvec3(towards)), 0, far, dice.grain(), s.flower};
 }
 
 // Whether light reaches a surface from a direction and distance, past what casts shadows on it.
 bool lit(const View& v, const Surface& s, const glm::vec3& towards, double far, Dice& dice, GrassMemory& memory) {
     const Ray ray = leave(s, towards, far, dice);
     if (v.scene.solids->blocks(ray)) return false;
-    if (v.settings.lighting == ReferenceLighting::Full && s.met != Met::Flower && v.scene.flowers->blocks(ray))
-        return false;
+    if (v.settings.lighting == ReferenceLighting::Full && v.scene.flowers->blocks(ray)) return false;
     const bool leaves = v.settings.lighting == ReferenceLighting::Full || s.met == Met::Object || s.onMesh;
     if (leaves && v.scene.meshBlades->blocks(ray)) return false;
     FieldBits by = kAllFields;

@@ -11,11 +11,14 @@
 
 namespace sward {
 
+inline constexpr uint32_t kNoFlower = ~uint32_t{0};
+
 struct Ray {
     glm::dvec3 origin;
     glm::dvec3 way;  // unit
     double near = 0, far = std::numeric_limits<double>::infinity();
-    uint32_t grain = 0;  // decides which part-covered edges it passes: another number, another choice
+    uint32_t grain = 0;         // decides which part-covered edges it passes: another number, another choice
+    uint32_t left = kNoFlower;  // the flower that it comes from: it would turn to the ray, and be met once more
 };
 
 enum class Met { Ground, Object, Blade, Flower, Water };
@@ -29,11 +32,12 @@ struct Surface {
     glm::vec3 looks{0};         // of a leaf, a blade's or a tree's: translucency, gloss, roughness
     glm::vec3 tint{1};          // of all that it sends: a blade's image
     float open = 1;             // of a blade or flower: ambient light left so near to its root, where nothing is traced
-    uint32_t field = 0;         // of a blade: the number of its field (grass_rays.h)
-    bool beyond = false;        // of ground: beyond the terrain, where its colour tells what grows, too
-    bool ofTree = false;        // of an object: it is a tree of a forest
-    bool onMesh = false;        // of a blade: it grows on a mesh, where none of the terrain's maps is read
-    glm::dvec2 place{0};        // as a share of the terrain, where the maps are read: a blade's root
+    uint32_t flower = kNoFlower;
+    uint32_t field = 0;   // of a blade: the number of its field (grass_rays.h)
+    bool beyond = false;  // of ground: beyond the terrain, where its colour tells what grows, too
+    bool ofTree = false;  // of an object: it is a tree of a forest
+    bool onMesh = false;  // of a blade: it grows on a mesh, where none of the terrain's maps is read
+    glm::dvec2 place{0};  // as a share of the terrain, where the maps are read: a blade's root
 };
 
 // Colour and alpha of an image, linear.
