@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "shared/bindings.h"
+
 namespace sward {
 
 std::string soilConstants(const std::vector<SoilNumbers>& fields) {
@@ -13,6 +15,19 @@ std::string soilConstants(const std::vector<SoilNumbers>& fields) {
         out += fmt::format(" SOIL_SHARE({})", i);
     }
     return out + "\n";
+}
+
+std::string othersConstants(const SoilNumbers& field, size_t end) {
+    if (field.density.size() < 2) return "";
+    std::string out = "#define OTHERS_EACH";
+    for (size_t i = 0; i < field.density.size(); ++i)
+        out += fmt::format(" OTHER_SPECIES({}, {}, {})", i, end - field.density.size() + i, field.density[i]);
+    return out + "\n";
+}
+
+void bindSoil(const SoilGrowth& soil) {
+    glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SOIL, soil.globals);
+    glBindTextures(TEX_SOIL, static_cast<GLsizei>(soil.maps.size()), soil.maps.data());
 }
 
 std::vector<std::string> soilVariants() {

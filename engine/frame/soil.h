@@ -16,7 +16,10 @@ struct SoilNumbers {
 };
 // The same as text for shaders: the macro SOIL_EACH.
 std::string soilConstants(const std::vector<SoilNumbers>& fields);
-// Ways in which it differs, for tests that compile every program (ProgramRow::variants).
+// What a field's programs are compiled with where it has several species, so that each stands in the others' light: the
+// macro OTHERS_EACH of lib/others.glsl. end: number of the species after its last, among those of all fields.
+std::string othersConstants(const SoilNumbers& field, size_t end);
+// Ways in which soilConstants differs, for tests that compile every program (ProgramRow::variants).
 std::vector<std::string> soilVariants();
 
 struct SoilGrowth {
@@ -24,5 +27,7 @@ struct SoilGrowth {
     std::string constants;     // of soilConstants; empty: nothing grows
     std::vector<GLuint> maps;  // textures, bound from TEX_SOIL on
 };
+// For who lights the ground, and blades of fields of several species.
+void bindSoil(const SoilGrowth& soil);
 
 }  // namespace sward

@@ -82,13 +82,14 @@ struct Mean {
 // Share of light from a direction that reaches a point among its neighbours.
 float passes(const Posed& p, const FieldLight& l, const glm::vec3& light) {
     if (!l.shade || l.shade->rows.empty()) return p.open;
-    const float full = maskPasses(*l.shade, p.height, light);
-    return l.density == 1 ? full : std::pow(full, l.density);
+    const float full = maskPasses(*l.shade, p.height, light), others = amongLeave(l.among, p.height, light);
+    return others * (l.density == 1 ? full : std::pow(full, l.density));
 }
 
 glm::vec3 bladeLight(const Posed& p, const glm::vec3& e, const FieldLight& l) {
     const glm::vec3 n = facing(p.normal, e);
-    glm::vec3 sum = p.color * glm::mix(l.ground, l.sky, 0.5f + 0.5f * n.y) * p.open;
+    const float open = p.open * amongLeave(l.among, p.height, glm::vec3(0));
+    glm::vec3 sum = p.color * glm::mix(l.ground, l.sky, 0.5f + 0.5f * n.y) * open;
     for (const auto& [direction, color] : l.suns) {
         const float toward = glm::dot(n, direction);
         glm::vec3 sent =
@@ -99,14 +100,16 @@ glm::vec3 bladeLight(const Posed& p, const glm::vec3& e, const FieldLight& l) {
     return sum;
 }
 
-// Calls see(point, share of it that is seen) for the points from the top down.
+// Calls see(point, share of it that is seen past the others and what stands among them) for the points from the top
+// down.
 template <class F>
-void eachSeen(const std::vector<Posed>& points, const glm::vec3& e, float density, F see) {
+void eachSeen(const std::vector<Posed>& points, const glm::vec3& e, float density, const std::vector<Among>& among,
+              F see) {
     const float k = density * areaTowards(points, e) / std::max(std::abs(e.y), kLeast);
     float all = 0, above = 0;
     for (const Posed& p : points) all += p.area;
     for (const Posed& p : points) {
-        see(p, std::exp(-k * (above + 0.5f * p.area) / std::max(all, 1e-9f)));
+        see(p, amongLeave(among, p.height, e) * std::exp(-k * (above + 0.5f * p.area) / std::max(all, 1e-9f)));
         above += p.area;
     }
 }
@@ -126,7 +129,7 @@ FieldLight tracedAlong(const FieldLight& light, const glm::vec3& e, float across
 Mean asBlades(const std::vector<Posed>& points, const glm::vec3& e, const FieldLight& light) {
     const FieldLight l = tracedAlong(light, e, light.density == 1 ? 1 : areaAcross(points));
     Mean m;
-    eachSeen(points, e, l.density, [&](const Posed& p, float seen) {
+    eachSeen(points, e, l.density, l.among, [&](const Posed& p, float seen) {
         const float w = p.area * std::abs(glm::dot(p.normal, e)) * seen;
         m.radiance += bladeLight(p, e, l) * w;
         m.weight += w;
@@ -165,9 +168,9 @@ glm::vec3 tracedShow(const TracedShows& shows, const FieldLight& light, const gl
 glm::vec3 aimAlong(const FieldLight& light, const std::vector<Posed>& points, const glm::vec3& e) {
     if (!asTraced(light)) return asBlades(points, e, light).value();
     const glm::vec3 sum = tracedShow(light.traced->shows, light, e);
-    if (light.density == 1) return sum;
-    FieldLight full = light;
-    full.density = 1;
+    if (light.density == 1 && light.among.empty()) return sum;
+    FieldLight full = light;  // as traced: alone
+    full.density = 1, full.among.clear();
     return sum * quotient(asBlades(points, e, light).value(), asBlades(points, e, full).value());
 }
 
@@ -311,6 +314,24 @@ void addPaint(const std::vector<Posed>& standing, const DrawnImages& images, con
     }
 }
 
+// By Beer's law through the points, the highest first, of a ray that sinks by a metre in kGrazing metres.
+float grazedHeight(const Look& look) {
+    constexpr float kGrazing = 20;
+    std::vector<std::pair<float, float>> heights;  // and area
+    float area = 0;
+    for (const LookPoint& p : look.points) {
+        heights.push_back({f32::bladePosition(p.control, p.tip, p.along).y, p.area});
+        area += p.area;
+    }
+    std::sort(heights.begin(), heights.end(), std::greater<>());
+    float left = 1, sum = 0;
+    for (const auto& [height, share] : heights) {
+        const float met = left * (1 - std::exp(-kGrazing * look.across * share / std::max(area, 1e-9f)));
+        sum += met * height, left -= met;
+    }
+    return sum / std::max(1 - left, 1e-6f);
+}
+
 }  // namespace
 
 float maskPasses(const BladeShade& shade, float height, const glm::vec3& light) {
@@ -349,6 +370,7 @@ void updateLook(Look& look, uint64_t& madeFrom, const Species& s, const Patch& p
     const auto points = posed(look, glm::vec2(0), look.clumpLean), laid = posed(look, glm::vec2(0), 0, 1);
     look.across = areaAcross(points), look.above = areaTowards(points, {0, 1, 0});
     look.laidAcross = areaAcross(laid), look.laidAbove = areaTowards(laid, {0, 1, 0});
+    look.grazed = grazedHeight(look);
 }
 
 float lightLeft(const Look& look, float sinElevation) {

@@ -37,6 +37,7 @@ struct Look {
     float above = 0;                      // area towards a view from the zenith
     float laidAcross = 0, laidAbove = 0;  // the same of blades that are pressed down
     float height = 0;                     // mean, metres
+    float grazed = 0;                     // mean height where rays that come in almost level meet blades, metres
     float clumpLean = 0;  // metres a metre by which clumps lean blades, one standard deviation; slices do not know it
 };
 // Made anew if the species or `key`, of its patch and its blade's image, differ from what it was made from.

@@ -74,7 +74,7 @@ void publishSoil(DrawContext& ctx, GrassFields& grass) {
     std::vector<SoilNumbers> numbers;
     size_t species = 0;
     for (size_t i = 0; i < std::min<size_t>(grass.all.size(), MAX_FIELDS); ++i) {
-        const Field& field = *grass.all[i];
+        Field& field = *grass.all[i];
         if (!field.grows().onTerrain) continue;
         const GrassField& f = field.grows();
         // Where its blades shade no ground, the mean does from the eye on.
@@ -89,13 +89,16 @@ void publishSoil(DrawContext& ctx, GrassFields& grass) {
                                   {s.look.across, s.look.above},
                                   indirect(ctx, field, k).x,
                                   indirect(ctx, field, k).y,
-                                  glm::vec2(0)};
+                                  s.look.height,
+                                  0};
             numbers.back().density.push_back(soilMap(soil, f.species[k].density.present() ? s.density : 0));
         }
+        field.view->constants += othersConstants(numbers.back(), species);
     }
     soil.constants = soilConstants(numbers);
     writeBuffer(ctx.gpu, grass.soil, kOwner, sizeof(g), &g);
     soil.globals = grass.soil.id();
+    bindSoil(soil);
 }
 
 // --- fields ------------------------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "grass/among.h"
 #include "grass/slice_settings.h"
 #include "grass/traced.h"
 
@@ -23,6 +24,7 @@ struct FieldLight {
     float roughness = 0.5f, gloss = 0, translucency = 0;  // of the leaves
     const TracedLight* traced = nullptr;                  // light from blade to blade; null: none
     const BladeShade* shade = nullptr;  // how blades shade blades in direct light; null: depth below the tips does
+    std::vector<Among> among;           // what else stands among its blades; empty where these do not shade each other
     LightWeighting weighting = LightWeighting::Cosine;  // how slices weigh their images
     float density = 1;                                  // of the field there
     bool painted = false;                               // whether its density is: gains of thin grass are wanted

@@ -132,6 +132,7 @@ void updateField(DrawContext& ctx, GrownField& field) {
         if (!s) s = std::make_unique<GrownSpecies>();
     field.grows().onTerrain ? publishMaps(ctx, field) : forgetMaps(field);
     for (size_t i = 0; i < field.species.size(); ++i) updateSpecies(ctx, field, i);
+    updateDensitiesAmong(field.among, field.grows(), *ctx.shared.ground.terrain);
 }
 
 // Fields keep what they have by name; those that grow nothing have none.

@@ -3,6 +3,7 @@
 #pragma once
 #include "frame/color_image.h"
 #include "frame/draw_context.h"
+#include "grass/among.h"
 #include "grass/appearance.h"
 #include "grass/cells.h"
 #include "grass/slice_settings.h"
@@ -54,6 +55,7 @@ struct GrownField {
     Texture everywhere;  // the density of species without a map, where others of the field have one: 1
     GLuint orientation = 0, vegetation = 0, occlusion = 0, forces = 0,
            bladeHeights = 0;  // textures of its maps; 0: none
+    DensitiesAmong among;
     const GrassField& grows() const { return of->grows; }
     bool draws(Feature f) const { return has(own, f); }
 };

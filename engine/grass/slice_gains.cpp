@@ -17,6 +17,19 @@ bool lampsCast(const Project& project) {
     return casts;
 }
 
+// The other species of the field, where blades shade each other.
+std::vector<Among> amongOf(const DrawContext& ctx, const GrownField& f, size_t index) {
+    std::vector<Among> out;
+    if (!has(f.features, Feature::BladeShadows) || f.among.means.empty()) return out;
+    for (size_t k = 0; k < f.species.size(); ++k) {
+        const Look& look = f.species[k]->look;
+        const TracedLight* traced = has(f.features, Feature::GrassTraced) ? tracedOf(ctx, f.name, k) : nullptr;
+        const float skyLeft = traced ? traced->soilSky : lightLeft(look, ctx.globals.sunDirection.y);
+        if (k != index) out.push_back({look.height, {look.across, look.above}, skyLeft, f.among.of(k, index)});
+    }
+    return out;
+}
+
 FieldLight fieldLight(const DrawContext& ctx, const GrownField& f, size_t index) {
     const Species& s = f.grows().species[index];
     const FeatureSet& features = f.features;
@@ -28,6 +41,7 @@ FieldLight fieldLight(const DrawContext& ctx, const GrownField& f, size_t index)
     l.translucency = s.translucency, l.gloss = s.gloss, l.roughness = s.roughness;
     if (g.sunCasts > 0 && f.species[index]->shade.texture) l.shade = &f.species[index]->shade;
     l.traced = has(features, Feature::GrassTraced) ? tracedOf(ctx, f.name, index) : nullptr;
+    l.among = amongOf(ctx, f, index);
     l.lean = has(features, Feature::GrassOrientation) ? leanAtFull(s) : 0.0f;
     if (s.clumpSize > 0) l.lean = std::max(l.lean, clumpStrengths(s).x);
     if (has(features, Feature::Wind))
@@ -42,6 +56,7 @@ FieldLight fieldLight(const DrawContext& ctx, const GrownField& f, size_t index)
 // What a light's key reads of how blades shade and light each other.
 void addShading(std::vector<float>& read, const FieldLight& l) {
     if (l.shade) read.insert(read.end(), l.shade->rows.begin(), l.shade->rows.end());
+    for (const Among& a : l.among) read.insert(read.end(), {a.height, a.area.x, a.area.y, a.skyLeft, a.density});
     if (!l.traced) return;
     const auto add = [&](const auto& numbers) {
         for (const glm::vec3& n : numbers) read.insert(read.end(), {n.x, n.y, n.z});

@@ -452,6 +452,15 @@ const Follows kFarFollows[] = {{Feature::Wind, "the horizontal slice brightens a
                                {Feature::ForceMap, kLies},
                                {Feature::GrassUnique, kRepeats}};
 
+// Where the horizontal slice begins to rise: where what stands upright ends, and not before eyes over grass that is so
+// high (m) look down less than it rises.
+float risesFrom(const Field& field, float height) {
+    const bool vertical = field.draws(Feature::GrassSlices) || field.draws(Feature::GrassRaytraced);
+    const FieldTiers& tiers = field.view->tiers;
+    const FadeRange& last = vertical ? tiers.flat : tiers.images;
+    return std::isinf(last.max) ? last.max : std::max(last.min, 10 * height);
+}
+
 }  // namespace
 
 void bindVerticalSlices(const DrawContext& ctx, const Field& field, size_t i, SliceLevels levels) {
@@ -479,6 +488,8 @@ SliceGlobals sliceGlobalsOf(const DrawContext& ctx, const Field& field, size_t i
     g.reflectScale = s.slices.reflectScale;
     g.area = {s.look.across, s.look.above}, g.laidArea = {s.look.laidAcross, s.look.laidAbove};
     g.farHeight = images.farHeight * s.slices.top, g.farDepth = s.slices.farDepth * s.patch.sown.share;
+    g.farRise = std::max(s.look.grazed - g.farHeight, 0.0f);
+    g.riseFrom = risesFrom(field, s.look.grazed);
     g.eyeCell = cell, g.inCell = eye - cell;
     g.fade = field.view->settings<GrassDrawing>().fade;
     g.seed = static_cast<uint32_t>(f.seed);

@@ -8,7 +8,7 @@
 namespace sward {
 namespace {
 
-constexpr size_t kHeadBytes = size_t(1) << 16;  // an EXR's attributes up to the data window lie well within
+constexpr size_t kMostHeadBytes = size_t(1) << 16;  // an EXR's attributes up to the data window lie well within
 
 Error damaged(const std::filesystem::path& file, const std::string& what) {
     return unsound(what, "export it again").at(file);
@@ -68,7 +68,7 @@ Result<ImageHead> readImageHead(const std::filesystem::path& file, std::optional
     if (Status s = checkRegular(file); !s) return s.error();
     std::error_code fault;
     std::ifstream in(file, std::ios::binary);
-    std::string head(kHeadBytes, '\0');
+    std::string head(kMostHeadBytes, '\0');
     in.read(head.data(), static_cast<std::streamsize>(head.size()));
     head.resize(static_cast<size_t>(in.gcount()));
     if (head.empty() && !in.eof()) return unsound("cannot be read", "check who may read it").at(file);

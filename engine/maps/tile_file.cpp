@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 namespace sward {
 namespace {
 
-constexpr uint32_t kHeadBytes = 8;  // of a TIFF: its kind, and where its directory begins
+constexpr uint32_t kTiffHeadBytes = 8;  // of a TIFF: its kind, and where its directory begins
 constexpr uint64_t kDirectoryAt = 4;
 
 Error cannotBeRead(const fs::path& file) {
@@ -202,7 +202,7 @@ Status writeTiles(const fs::path& file, const Map& map) {
     std::vector<uint32_t> places;
     std::unordered_map<const Tile*, uint32_t> written;
     out << headOf(0);
-    auto size = kHeadBytes;
+    auto size = kTiffHeadBytes;
     for (int ty = 0; ty < map.tilesY() && out; ++ty)
         for (int tx = 0; tx < map.tilesX(); ++tx) {
             const auto [place, fresh] = written.emplace(map.tile(tx, ty).get(), size);

@@ -164,8 +164,7 @@ void drawDepth(DrawContext& ctx) {
 // Where the ground is seen, the stencil says so, if there is one: blades' shadows lie there alone.
 void draw(DrawContext& ctx) {
     if (ctx.shared.groundMesh.land.empty() || !ctx.use(0, ctx.shared.soil.constants)) return;
-    glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SOIL, ctx.shared.soil.globals);
-    glBindTextures(TEX_SOIL, static_cast<GLsizei>(ctx.shared.soil.maps.size()), ctx.shared.soil.maps.data());
+    bindSoil(ctx.shared.soil);
     if (ctx.targets.stencil) {
         glEnable(GL_STENCIL_TEST);
         glStencilFunc(GL_ALWAYS, kStencilGround, kStencilGround);

@@ -30,8 +30,8 @@ void main() {
     float opacity = farOpacity(sliceThreshold, repeated(position.xz + towards.xz * (slices.farHeight / high)), density,
                                tall, high, 0.0, laidBy(forceHere(position.xz, uv)), stored);
     SpeciesInField kind = field.species[slices.species];
-    SoilShares soil = soilShares(soilLeft(kind.shade, slices.area, vec2(kind.skyLeft, kind.scattered), grown, tall),
-                                 near, skyShare(uv));
+    SoilShares soil = soilShares(
+        soilLeft(kind.shade, slices.area, vec2(kind.skyLeft, kind.scattered), grown, grown, tall), near, skyShare(uv));
     vec3 takes = shadowShare(light, position, normalize(normal), soil);
     color = vec4(clamp(vec3(1.0) - takes * (opacity * near), vec3(0.0), vec3(1.0)), 1.0);
 }

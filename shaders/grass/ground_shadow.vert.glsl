@@ -35,9 +35,9 @@ void main() {
     vec3 n = groundNormal(s.ground, kNormalStep);
     SpeciesInField kind = field.species[species.index];
     float near = 1.0 - lodRamp(length(s.root), field.shadeFrom, field.shadeInv);
-    SoilShares soil =
-        soilShares(soilLeft(kind.shade, species.area, vec2(kind.skyLeft, kind.scattered), s.density, bladeShare(s.uv)),
-                   near, skyShare(s.uv));
+    SoilShares soil = soilShares(
+        soilLeft(kind.shade, species.area, vec2(kind.skyLeft, kind.scattered), s.density, s.density, bladeShare(s.uv)),
+        near, skyShare(s.uv));
     vec3 takes = shadowShare(light, s.root, n, soil);
     if (!(max(takes.r, max(takes.g, takes.b)) > 1.0 / 255.0)) return;
 

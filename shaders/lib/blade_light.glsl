@@ -10,6 +10,7 @@
 #include "lib/leaf.glsl"
 #include "lib/light.glsl"
 #include "lib/mask.glsl"
+#include "lib/others.glsl"
 #include "lib/shadow.glsl"
 #include "lib/traced.glsl"
 #include "numerics/basics.h"
@@ -46,15 +47,35 @@ vec2 maskFor(vec3 fromRoot, vec2 facing, vec3 upright, vec3 towards) {
 }
 // As leafLight takes them.
 vec3 bladeGloss() { return vec3(species.translucency, species.gloss, species.roughness); }
+float densityOver(vec2 uv, float metres) {
+    return textureLod(densityMap, tiled(uv, field.species[species.index].tiling),
+                      levelOver(metres, textureSize(densityMap, 0)))
+        .r;
+}
+// The density of what stands between a point of a blade and a light, half-way to where its ray leaves the mask's
+// cylinder or comes out above. Of what is pressed down nothing does, as at the root.
+float densityTowards(Lit p, vec2 uv, vec3 towards) {
+    if (!GRASS_DENSITY) return p.density;
+    float level = max(length(towards.xz), 1e-4), free = max(species.maskHeight - p.fromRoot.y, 0.0),
+          across = min(species.maskRadius, 0.5 * free * level / max(towards.y, 1e-4));
+    vec2 at = uv + towards.xz * (across / level) * frame.mapShare;
+    float there = densityOver(at, across) * bladeShare(at);
+    if (!(FORCES || FORCE_MAP)) return there;
+    return there * clamp(p.density / max(densityOver(uv, 0.0) * bladeShare(uv), 1e-3), 0.0, 1.0);
+}
+// Share of a casting lamp's light that comes from there.
+vec3 shadedLamp(Lit p, vec2 uv, vec3 towards) {
+    float density = densityTowards(p, uv, towards);
+    return maskLightAtVertex(maskFor(p.fromRoot, p.facing, p.upright, towards), density) *
+           othersLeave(uv, p.fromRoot.y, towards) * tracedLamp(p.toEye, towards, density);
+}
 // Lamps that cast shadows are shaded here, by the vertex: unlike the sun there may be many.
-vec3 lampsOn(Lit p) {
+vec3 lampsOn(Lit p, vec2 uv) {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < lampCount(); ++i) {
         LampHere l = lampReaching(i, p.position, vec3(0.0));
         vec3 share = vec3(p.open);
-        if (BLADE_SHADOWS && i < castingLamps())
-            share = maskLightAtVertex(maskFor(p.fromRoot, p.facing, p.upright, l.direction), p.density) *
-                    tracedLamp(p.toEye, l.direction, p.density);
+        if (BLADE_SHADOWS && i < castingLamps()) share = shadedLamp(p, uv, l.direction);
         sum += leafLight(p.color.reflectance, bladeGloss(), p.normal, p.toEye, l.direction, l.light) * share;
     }
     return sum * p.color.scattered;
@@ -71,7 +92,7 @@ struct BladeLight {
     vec2 maskAt;  // where in the blades' shadow mask
 };
 // The sun on a blade; share: of haze.
-void sunBlade(Lit p, float share, inout BladeLight o) {
+void sunBlade(Lit p, vec2 uv, float share, inout BladeLight o) {
     if (!SUN) return;
     vec3 left = p.color.scattered * sunVisible(p.position, vec3(0.0));
     if (!(BLADE_SHADOWS && CASTING_LIGHTS)) {
@@ -82,6 +103,8 @@ void sunBlade(Lit p, float share, inout BladeLight o) {
     }
     left *= 1.0 - share;
     if (frame.sunCasts > 0.0) {
+        p.density = densityTowards(p, uv, frame.sunDirection);
+        left *= othersLeave(uv, p.fromRoot.y, frame.sunDirection);
         o.maskAt = maskFor(p.fromRoot, p.facing, p.upright, frame.sunDirection);
         left *= tracedSun(p.toEye, p.density);
     } else {
@@ -98,8 +121,9 @@ BladeLight lightBlade(Lit p, vec2 uv) {
     p.fromRoot = inFullHeight(p.fromRoot, uv);
     if (GRASS_HEIGHTS) p.density *= bladeShare(uv);
     vec3 around = p.color.reflectance * p.color.scattered * tracedAmbient(p.normal, p.toEye);
-    o.lit = vec4(around * (skyShare(uv) * p.open) + lampsOn(p), share);
-    sunBlade(p, share, o);
+    float sky = skyShare(uv) * p.open * (BLADE_SHADOWS ? othersLeave(uv, p.fromRoot.y, vec3(0.0)) : 1.0);
+    o.lit = vec4(around * sky + lampsOn(p, uv), share);
+    sunBlade(p, uv, share, o);
     if (FOG || ATMOSPHERE) o.lit.rgb = mix(o.lit.rgb, hazeColor(p.position), share);
     return o;
 }

@@ -9,4 +9,9 @@ const float kBrightest = 65504.0;  // the largest half: what the scene's target 
 vec2 mapPlace(vec2 place) { return place * frame.mapShare; }
 // A map's coordinates there; tiling 0: it lies on the terrain once, and its edge goes on beyond.
 vec2 tiled(vec2 uv, float tiling) { return tiling > 0.0 ? uv * tiling : clamp(uv, 0.0, 1.0); }
+// Level of detail of a map of this size whose texels are as long as so many metres.
+float levelOver(float metres, ivec2 size) {
+    vec2 texels = metres * frame.mapShare * vec2(size);
+    return log2(max(max(texels.x, texels.y), 1.0));
+}
 int viewMode() { return frame.mode; }

@@ -29,9 +29,10 @@ vec3 lampShades(vec2 area) {
     vec3 across = area.x * sqrt(vec3(1.0) - kLampSines * kLampSines), above = area.y * kLampSines;
     return exp(-sqrt(across * across + above * above) / kLampSines);
 }
-// indirect: shares of the sky's light that is left, and of the sun's that comes from blade to blade (SpeciesInField).
-SoilLeft soilLeft(float shade, vec2 area, vec2 indirect, float density, float tall) {
-    return SoilLeft(soilLeft(shade, density, tall), LAMPS ? soilLeft(lampShades(area), density, tall) : vec3(1.0),
+// indirect: shares of the sky's light that is left, and of the sun's that comes from blade to blade (SpeciesInField);
+// before: density of what stands before the sun.
+SoilLeft soilLeft(float shade, vec2 area, vec2 indirect, float density, float before, float tall) {
+    return SoilLeft(soilLeft(shade, before, tall), LAMPS ? soilLeft(lampShades(area), density, tall) : vec3(1.0),
                     soilLeft(indirect.x, density, tall), indirect.y * density * (GRASS_HEIGHTS ? tall : 1.0));
 }
 float lampLeft(SoilLeft left, float sine) {

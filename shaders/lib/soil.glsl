@@ -17,6 +17,18 @@ layout(binding = TEX_SOIL) uniform sampler2D soilMap[MAX_SOIL_MAPS];
 #define SOIL_TEXEL(map, at) ((map) < 0 ? 1.0 : texture(soilMap[max(map, 0)], at).r)
 #define SOIL_FINEST(map, at) ((map) < 0 ? 1.0 : textureLod(soilMap[max(map, 0)], at, 0.0).r)
 
+// What a density map says, a mean over so many metres or the pixel, of what stands half-way to where the sun's light
+// comes in over grass of that height (m).
+#define SOIL_TOWARDS_SUN(map, number)                                                                            \
+    ((map) < 0 || !SUN                                                                                           \
+         ? density                                                                                               \
+         : textureLod(                                                                                           \
+               soilMap[max(map, 0)],                                                                             \
+               tiled(uv + sunStep(soilGrowth.species[number].height), soilGrowth.species[number].tiling),        \
+               soilLevel(soilGrowth.species[number].height, textureSize(soilMap[max(map, 0)], 0),                \
+                         textureQueryLod(soilMap[max(map, 0)], tiled(uv, soilGrowth.species[number].tiling)).y)) \
+               .r)
+
 #define SOIL_FIELD(field, heights, occlusion)                                     \
     left = kAllLeft;                                                              \
     tall = SOIL_TEXEL(heights, tiled(uv, soilGrowth.fields[field].heightTiling)); \
@@ -25,9 +37,17 @@ layout(binding = TEX_SOIL) uniform sampler2D soilMap[MAX_SOIL_MAPS];
     density = SOIL_TEXEL(map, tiled(uv, soilGrowth.species[number].tiling));                                    \
     left = times(left, soilLeft(soilGrowth.species[number].shade, soilGrowth.species[number].area,              \
                                 vec2(soilGrowth.species[number].skyLeft, soilGrowth.species[number].scattered), \
-                                density, tall));                                                                \
+                                density, SOIL_TOWARDS_SUN(map, number), tall));                                 \
     grown += density;
 #define SOIL_SHARE(field) all = soilUnderBoth(all, soilOf(soilGrowth.fields[field], left, distance));
+
+// Half-way to where the sun's light comes in over grass so high (m), level: as maps have places; and metres.
+float sunReach(float height) { return 0.5 * height * length(frame.sunDirection.xz) / max(frame.sunDirection.y, 0.1); }
+vec2 sunStep(float height) {
+    vec2 way = frame.sunDirection.xz;
+    return way * (sunReach(height) / max(length(way), 1e-4)) * frame.mapShare;
+}
+float soilLevel(float height, ivec2 size, float pixel) { return max(levelOver(sunReach(height), size), pixel); }
 
 SoilShares soilOf(SoilField f, SoilLeft left, float distance) {
     return soilShares(left, 1.0 - lodRamp(distance, f.shadeFrom, f.shadeInv), 1.0);

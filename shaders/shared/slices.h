@@ -87,6 +87,8 @@ struct STD140 SliceGlobals {
     uint sowSeed;       // of cells' chances
     float leanScale;    // greatest share of LookGain's leans
     float recollision;  // as SpeciesGlobals has it
+    float farRise;      // by how much the horizontal slice lies higher where it is seen from afar, almost level (m)
+    float riseFrom;     // distance from which it rises to that (m)
     LookGain gains[LOOK_VIEWS];
 };
 

@@ -22,7 +22,8 @@ struct STD140 SoilSpecies {
     vec2 area;        // as SliceGlobals
     float skyLeft;    // as SpeciesInField
     float scattered;  // likewise
-    vec2 spare;       // 0
+    float height;     // mean (m)
+    float spare;      // 0
 };
 struct STD140 SoilGlobals {
     SoilField fields[MAX_FIELDS];

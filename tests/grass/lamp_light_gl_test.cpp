@@ -10,7 +10,7 @@
 namespace sward::test {
 namespace {
 
-constexpr int kWidth = 96, kHeight = 72;
+constexpr int kNightWidth = 96, kNightHeight = 72;
 constexpr double kLimit = 0.1;  // of the truth's brightness
 const ViewCamera kCamera{{10, 1.7, 5}, {10, 0, 9}, 45, 0};
 
@@ -37,7 +37,7 @@ double meanGreenBelow(const std::vector<float>& image) {
 double drawn(Project& p, Technique technique) {
     grassIn(p).technique = nameOf(technique);
     Renderer r(gpu(), tables());
-    EXPECT_TRUE(r.draw(p, kCamera, sized(kWidth, kHeight)));
+    EXPECT_TRUE(r.draw(p, kCamera, sized(kNightWidth, kNightHeight)));
     return meanGreenBelow(r.readLinear());
 }
 double traced(const Project& p) {
@@ -45,7 +45,7 @@ double traced(const Project& p) {
     const auto scene = ReferenceScene::make(p, tables(), 0, control);
     EXPECT_TRUE(scene) << scene.error().text();
     ReferenceSettings s;
-    s.width = kWidth, s.height = kHeight, s.samples = 16;
+    s.width = kNightWidth, s.height = kNightHeight, s.samples = 16;
     return meanGreenBelow(scene->trace(kCamera, s, control)->color);
 }
 

@@ -40,14 +40,14 @@ Project onMesh(const TempDir& dir, Solid solid, const glm::dvec3& at = {10, 0, 1
 const Solid kBall{.kind = SolidKind::Ball, .size = {0.5f, 0.5f, 0.5f}, .at = {0, 0.6f, 0}, .unwrap = true};
 const Solid kPlate{.size = {20, 0.02f, 20}, .unwrap = true};
 
-ViewSettings sized(int width = 160, int height = 120, int msaa = 4) {
+ViewSettings meshSized(int width = 160, int height = 120, int msaa = 4) {
     ViewSettings s;
     s.width = width, s.height = height, s.msaa = msaa;
     return s;
 }
 ViewCamera atBall() { return {{10, 1.1, 8}, {10, 0.6, 10}, 45, 0}; }
 
-std::vector<float> picture(const Project& p, const ViewCamera& camera, const ViewSettings& settings = sized()) {
+std::vector<float> picture(const Project& p, const ViewCamera& camera, const ViewSettings& settings = meshSized()) {
     Renderer r(gpu(), tables());
     const Status drawn = r.draw(p, camera, settings);
     EXPECT_TRUE(drawn) << (drawn ? "" : drawn.error().text());
@@ -204,7 +204,7 @@ TEST(MeshGrass, HasNoPixelThatIsNoNumberFromAnywhere) {
         const double far = i % 3 == 0 ? 0.52 : i % 3 == 1 ? 0.6 : 1.5;
         ViewCamera camera{middle + out * far, i % 5 == 4 ? middle + out * 3.0 : middle, 60, 0};
         if (i % 7 == 6) camera.target = camera.eye + glm::dvec3(1, 0, 0);
-        const Status drawn = r.draw(p, camera, sized(64, 48, 1));
+        const Status drawn = r.draw(p, camera, meshSized(64, 48, 1));
         ASSERT_TRUE(drawn);
         const auto pixels = r.readLinear();
         wrong += !std::all_of(pixels.begin(), pixels.end(), [](float v) { return std::isfinite(v) && v >= 0; });
@@ -216,11 +216,11 @@ TEST(MeshGrass, NeedsNoSecondBakeAndSharesImagesWithTheTerrains) {
     const TempDir dir;
     Project p = meadow(dir);
     Renderer r(gpu(), tables());
-    ASSERT_TRUE(r.draw(p, atBall(), sized()));
+    ASSERT_TRUE(r.draw(p, atBall(), meshSized()));
     const auto before = gpu().ledger;
     putObject(p, "rock", {kBall}, {10, 0, 10});
     put<MeshGrass>(p, "rock");
-    ASSERT_TRUE(r.draw(p, atBall(), sized()));
+    ASSERT_TRUE(r.draw(p, atBall(), meshSized()));
     for (const char* owner : {"grass/slices", "grass/far"})
         EXPECT_EQ(gpu().ledger.at(owner), before.at(owner)) << owner;
     EXPECT_GT(gpu().ledger.at("grass/mesh-grass"), 0);
@@ -237,9 +237,9 @@ TEST(MeshGrass, OfAFieldThatLeavesTheTerrainReadsNoneOfItsMaps) {
     putObject(p, "rock", {kBall}, {10, 0, 10});
     put<MeshGrass>(p, "rock");
     Renderer r(gpu(), tables());
-    ASSERT_TRUE(r.draw(p, atBall(), sized(64, 48, 1)));
+    ASSERT_TRUE(r.draw(p, atBall(), meshSized(64, 48, 1)));
     f.grows.onTerrain = false;
-    for (int i = 0; i < 3; ++i) ASSERT_TRUE(r.draw(p, atBall(), sized(64, 48, 1)));
+    for (int i = 0; i < 3; ++i) ASSERT_TRUE(r.draw(p, atBall(), meshSized(64, 48, 1)));
     EXPECT_FALSE(gpu().ledger.contains("grass/vegetation") && gpu().ledger.at("grass/vegetation") > 0);
 }
 
@@ -250,14 +250,14 @@ TEST(MeshGrass, SaysWhatItFollowsAndThatNoTechniqueChangesIt) {
     put<ForceSource>(p, "stone");
     put(p, "stone", Transform{{10, 0, 8}});
     Renderer r(gpu(), tables());
-    ASSERT_TRUE(r.draw(p, atBall(), sized()));
+    ASSERT_TRUE(r.draw(p, atBall(), meshSized()));
     const std::string told = r.explain(p, false);
     EXPECT_NE(told.find("whatever technique draws the field over the terrain"), std::string::npos) << told;
     EXPECT_NE(told.find("grass on meshes is not pressed"), std::string::npos) << told;
     EXPECT_EQ(told.find("grass/far:"), std::string::npos) << "nothing grows on the terrain";
     for (const char* technique : kTechniqueNames) {
         flatField(p).technique = technique;
-        EXPECT_EQ(picture(p, atBall(), sized(64, 48, 1)).size(), 64u * 48 * 3);
+        EXPECT_EQ(picture(p, atBall(), meshSized(64, 48, 1)).size(), 64u * 48 * 3);
     }
 }
 
@@ -272,8 +272,8 @@ TEST(MeshGrass, OnAMeshWithoutTextureCoordinatesIsRefusedByCheckAndToldOnceWhenD
     ASSERT_EQ(report.refused.size(), 1u);
     EXPECT_NE(report.refused[0].text().find("rock.glb has no texture coordinates"), std::string::npos);
     Renderer r(gpu(), tables());
-    ASSERT_TRUE(r.draw(p, atBall(), sized()));
-    ASSERT_TRUE(r.draw(p, atBall(), sized()));
+    ASSERT_TRUE(r.draw(p, atBall(), meshSized()));
+    ASSERT_TRUE(r.draw(p, atBall(), meshSized()));
     // Half of it: a part that is unwrapped beside one that is not.
     putObject(p, "rock", {kBall, {.size = {0.2f, 1.4f, 0.2f}}}, {10, 0, 10});
     ASSERT_TRUE(saveProject(p, tables().components));
