@@ -7,15 +7,18 @@
 namespace sward {
 namespace {
 
-// Of one elevation of the light.
-std::array<glm::vec3, TRACED_TERMS> termsFor(const TracedFactors& traced, float sinElevation) {
+// Of one elevation of the light, of N numbers for each.
+template <size_t N>
+std::array<glm::vec3, N> numbersFor(const std::array<glm::vec3, N * TRACED_LIGHTS>& all, float sinElevation) {
     const float at = f32::tracedLightAt(sinElevation);
     const size_t low = std::min(static_cast<size_t>(at), static_cast<size_t>(TRACED_LIGHTS - 2));
-    std::array<glm::vec3, TRACED_TERMS> out{};
-    for (size_t i = 0; i < out.size(); ++i)
-        out[i] = glm::mix(traced.direct[TRACED_TERMS * low + i], traced.direct[TRACED_TERMS * (low + 1) + i],
-                          at - static_cast<float>(low));
+    std::array<glm::vec3, N> out{};
+    for (size_t i = 0; i < N; ++i)
+        out[i] = glm::mix(all[N * low + i], all[N * (low + 1) + i], at - static_cast<float>(low));
     return out;
+}
+std::array<glm::vec3, TRACED_TERMS> termsFor(const TracedFactors& traced, float sinElevation) {
+    return numbersFor<TRACED_TERMS>(traced.direct, sinElevation);
 }
 
 // All of it but the glow.
@@ -116,14 +119,18 @@ float soilScattered(const TracedLight& traced, float sinElevation) {
 void setTraced(SpeciesGlobals& g, const TracedLight* traced, const glm::vec3& sun) {
     TracedFactors none;
     none.sky[0] = none.ground[0] = glm::vec3(1);
-    for (size_t i = 0; i < none.direct.size(); i += TRACED_TERMS) none.direct[i] = glm::vec3(1);
+    TracedParts alone;
+    for (size_t i = 0; i < alone.direct.size(); i += TRACED_TERMS) alone.direct[i] = glm::vec3(1);
     const TracedFactors& t = traced ? traced->blades : none;
-    const auto numbers = termsFor(t, sun.y);
+    const TracedParts& parts = traced ? traced->parts : alone;
     g.recollision = traced ? traced->recollision : 0;
-    for (size_t i = 0; i < TRACED_DIRECT; ++i) g.traced[i] = glm::vec4(t.direct[i], 0);
-    for (size_t i = 0; i < TRACED_TERMS; ++i) g.tracedSun[i] = glm::vec4(numbers[i], 0);
-    for (size_t i = 0; i < TRACED_RISE; ++i)
-        g.tracedSky[i] = glm::vec4(t.sky[i], 0), g.tracedGround[i] = glm::vec4(t.ground[i], 0);
+    const auto write = [](auto& to, const auto& numbers) {
+        for (size_t i = 0; i < numbers.size(); ++i) to[i] = glm::vec4(numbers[i], 0);
+    };
+    write(g.traced, parts.direct), write(g.tracedFill, parts.fill);
+    write(g.tracedSun, numbersFor<TRACED_TERMS>(parts.direct, sun.y));
+    write(g.sunFill, numbersFor<TRACED_HEIGHTS>(parts.fill, sun.y));
+    write(g.tracedSky, t.sky), write(g.tracedGround, t.ground);
 }
 
 }  // namespace sward

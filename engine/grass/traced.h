@@ -43,8 +43,15 @@ struct TracedFactors {
     std::array<glm::vec3, TRACED_RISE> sky{}, ground{};  // of light from above and from below
     std::array<glm::vec3, TRACED_RISE> skyTilt{};        // what `sky` gains a unit of the sky's tilt (sky/daylight.h)
 };
+// The same in two parts, so that the shade among blades is not black.
+struct TracedParts {
+    std::array<glm::vec3, TRACED_DIRECT>
+        direct{};                               // over what local light says, without what comes from blade to blade
+    std::array<glm::vec3, TRACED_FILL> fill{};  // of that, as light on a blade of any direction, by where it is
+};
 struct TracedLight {
     TracedFactors blades;  // over what local light says of each point of a blade that is seen
+    TracedParts parts;
     TracedShows shows;
     TracedShows grey;            // of the same lawn all of reflectance TRACED_GREY, without highlights
     glm::vec3 soilScattered{0};  // polynomial by the sun's elevation

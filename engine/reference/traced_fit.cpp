@@ -1,5 +1,6 @@
 // What traced tables come to: polynomials of their quotients, and means.
 #include <algorithm>
+#include <functional>
 
 #include "core/numerics.h"
 #include "reference/traced_light.h"
@@ -72,7 +73,9 @@ struct Seen {
     glm::dvec3 quotient;
     double weight;
 };
-std::vector<Seen> quotientsOf(const TracedTable& table) {
+// By view and direction, what is taken from the sums first.
+using Without = std::function<glm::dvec3(size_t view, size_t direction)>;
+std::vector<Seen> quotientsOf(const TracedTable& table, const Without& without) {
     std::vector<Seen> out;
     for (int light = 0; light < kTracedLights; ++light) {
         const auto sumsOf = [&](int view, int turn) -> const TracedSums& {
@@ -85,7 +88,10 @@ std::vector<Seen> quotientsOf(const TracedTable& table) {
         for (int view = 0; view < kTracedViews && mean > 0; ++view)
             for (int turn = 0; turn < kTracedTurns; ++turn) {
                 const TracedSums& s = sumsOf(view, turn);
-                out.push_back({light, view, turn, s.full / glm::max(s.local, glm::dvec3(1e-9)), s.local.y / mean});
+                const glm::dvec3 left =
+                    s.full - without(static_cast<size_t>(view), static_cast<size_t>(light * kTracedTurns + turn));
+                out.push_back({light, view, turn, glm::max(left, glm::dvec3(0)) / glm::max(s.local, glm::dvec3(1e-9)),
+                               s.local.y / mean});
             }
     }
     return out;
@@ -113,9 +119,8 @@ std::array<glm::vec3, TRACED_LIGHTS> fitGlow(const std::vector<Seen>& seen) {
 }
 
 // Each elevation of the light has its own numbers.
-std::array<glm::vec3, TRACED_DIRECT> fitDirect(const TracedTable& table) {
+std::array<glm::vec3, TRACED_DIRECT> fitDirect(const std::vector<Seen>& seen) {
     constexpr size_t kBeside = TRACED_TERMS - 1;
-    const std::vector<Seen> seen = quotientsOf(table);
     const auto glow = fitGlow(seen);
     std::array<Fit<kBeside>, TRACED_LIGHTS> fits;
     for (const Seen& s : seen) {
@@ -131,6 +136,25 @@ std::array<glm::vec3, TRACED_DIRECT> fitDirect(const TracedTable& table) {
         std::copy(numbers.begin(), numbers.end(), out.begin() + static_cast<std::ptrdiff_t>(TRACED_TERMS * light));
         out[TRACED_TERMS * light + kBeside] = glow[light];
     }
+    return out;
+}
+
+// What comes from blade to blade is taken as the same for all views and turns; where it is, what is left to local light
+// keeps the whole.
+TracedParts partsOf(const TracedTable& table) {
+    TracedParts out;
+    for (size_t i = 0; i < TRACED_FILL; ++i) {
+        glm::dvec3 reflect(0);
+        for (const auto& view : table.reflect) reflect += view[i % TRACED_HEIGHTS];
+        out.fill[i] = glm::vec3(table.filled[i / TRACED_HEIGHTS][i % TRACED_HEIGHTS] /
+                                glm::max(reflect * double(kTracedTurns), glm::dvec3(1e-9)));
+    }
+    out.direct = fitDirect(quotientsOf(table, [&](size_t view, size_t direction) {
+        glm::dvec3 sum(0);
+        for (size_t k = 0; k < TRACED_HEIGHTS; ++k)
+            sum += table.reflect[view][k] * glm::dvec3(out.fill[direction / kTracedTurns * TRACED_HEIGHTS + k]);
+        return sum;
+    }));
     return out;
 }
 
@@ -177,7 +201,9 @@ TracedShows showsOf(const TracedTable& table, const TracedFactors& factors, glm:
 
 TracedLight fitTraced(const TracedTable& table) {
     TracedLight light;
-    light.blades = {fitDirect(table), fitRise(table.sky), fitRise(table.ground), fitRise(table.tilt)};
+    const std::vector<Seen> whole = quotientsOf(table, [](size_t, size_t) { return glm::dvec3(0); });
+    light.blades = {fitDirect(whole), fitRise(table.sky), fitRise(table.ground), fitRise(table.tilt)};
+    light.parts = partsOf(table);
     light.shows = showsOf(table, light.blades, &TracedSums::full);
     light.grey = showsOf(table, light.blades, &TracedSums::grey);
     light.leaning = leaningOf(table, light.blades);

@@ -20,7 +20,7 @@
 namespace sward {
 namespace {
 
-constexpr uint32_t kVersion = 12;  // of the method: another one gives other factors
+constexpr uint32_t kVersion = 13;  // of the method: another one gives other factors
 constexpr int kRays = 2000;        // that meet a blade, a view
 constexpr int kParts = 16;         // of a view's rays, each with its own sums, so that any number of threads adds alike
 constexpr int kMostBounces = 12;
@@ -127,12 +127,18 @@ Lights lightsAbout(float azimuth) {
 // One view's sums.
 struct ViewSums {
     std::array<TracedSums, kTracedLights * kTracedTurns> direct;
-    TracedSums sky, tilt, ground;  // tilt: of a sky that is skyTilted
-    int met = 0;                   // rays
-    double once = 0, twice = 0;    // as TracedTable has them
+    TracedSums sky, tilt, ground;                                                // tilt: of a sky that is skyTilted
+    std::array<std::array<glm::dvec3, TRACED_HEIGHTS>, kTracedLights> filled{};  // as TracedTable has them
+    std::array<glm::dvec3, TRACED_HEIGHTS> reflect{};
+    int met = 0;                 // rays
+    double once = 0, twice = 0;  // as TracedTable has them
     void add(const ViewSums& o) {
         for (size_t i = 0; i < direct.size(); ++i) direct[i].add(o.direct[i]);
         sky.add(o.sky), tilt.add(o.tilt), ground.add(o.ground);
+        for (size_t k = 0; k < TRACED_HEIGHTS; ++k) {
+            reflect[k] += o.reflect[k];
+            for (size_t i = 0; i < kTracedLights; ++i) filled[i][k] += o.filled[i][k];
+        }
         met += o.met, once += o.once, twice += o.twice;
     }
 };
@@ -159,10 +165,17 @@ std::optional<Surface> goOn(Tracer& t, const Surface& s, const glm::vec3& toEye,
     return next;
 }
 
+// How much each of TRACED_HEIGHTS counts for a blade there.
+glm::vec4 heightsOf(const Lawn& lawn, const Surface& s) {
+    return f32::tracedHeights(static_cast<float>(s.at.y) / std::max(lawn.shade.top, 1e-6f));
+}
 // A path from what was seen on, with light at each blade that it meets.
 void addLights(Tracer& t, Surface s, glm::vec3 toEye, const Lights& lights, Dice& dice, ViewSums& sums) {
     Weight weight;
     glm::vec3 way;
+    const glm::vec4 heights = heightsOf(t.lawn, s);
+    for (int k = 0; k < TRACED_HEIGHTS; ++k)
+        sums.reflect[static_cast<size_t>(k)] += glm::dvec3(heights[k] * s.color * s.tint);
     for (int n = 0; n < kMostBounces; ++n) {
         const float albedo = std::max(luminance(s.color + f32::leafPasses(s.color, s.looks.x)), 1e-4f);
         const size_t step = n == 0 ? 1 : kOften, first = n == 0 ? 0 : static_cast<size_t>(dice.unit() * kOften);
@@ -172,6 +185,8 @@ void addLights(Tracer& t, Surface s, glm::vec3 toEye, const Lights& lights, Dice
             sent *= static_cast<float>(step);
             if (sent.own == glm::vec3(0) || t.rays.blocks(from(s, lights[i], dice), t.memory)) continue;
             sums.direct[i].full += glm::dvec3(sent.own), sums.direct[i].grey += glm::dvec3(sent.grey);
+            for (int k = 0; n > 0 && k < TRACED_HEIGHTS; ++k)
+                sums.filled[i / kTracedTurns][static_cast<size_t>(k)] += glm::dvec3(heights[k] * sent.own);
             if (n == 0) sums.once += double(luminance(sent.own));
             if (n == 1) sums.twice += double(luminance(sent.own) / albedo);
         }
@@ -291,7 +306,7 @@ void tellSoil(const SoilSums& sums, TracedTable& table) {
 
 // --- the file of the cache: the numbers, and a hash of their bytes
 constexpr size_t kNumbers =
-    3 * (TRACED_DIRECT + 3 * TRACED_RISE + 2 * kTracedViews * (kTracedLights * kTracedTurns + 3) +
+    3 * (2 * TRACED_DIRECT + TRACED_FILL + 3 * TRACED_RISE + 2 * kTracedViews * (kTracedLights * kTracedTurns + 3) +
          kTracedLeans * kTracedViews * (kTracedLights * kTracedTurns + 1) + 1) +
     4;
 static_assert(sizeof(TracedLight) == kNumbers * sizeof(float));
@@ -442,7 +457,9 @@ Result<TracedTable> traceTable(const TracedSpec& spec, int rays, JobControl& con
         ViewSums all;
         for (size_t part = 0; part < kParts; ++part) all.add(sums[part * kTracedViews + view]);
         table.met[view] = all.met;
-        table.direct[view] = all.direct;
+        table.direct[view] = all.direct, table.reflect[view] = all.reflect;
+        for (size_t i = 0; i < kTracedLights; ++i)
+            for (size_t k = 0; k < TRACED_HEIGHTS; ++k) table.filled[i][k] += all.filled[i][k];
         table.once += all.once, table.twice += all.twice;
         table.sky[view] = all.sky, table.tilt[view] = all.tilt, table.ground[view] = all.ground;
     }

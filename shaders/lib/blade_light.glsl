@@ -63,20 +63,26 @@ float densityTowards(Lit p, vec2 uv, vec3 towards) {
     if (!(FORCES || FORCE_MAP)) return there;
     return there * clamp(p.density / max(densityOver(uv, 0.0) * bladeShare(uv), 1e-3), 0.0, 1.0);
 }
-// Share of a casting lamp's light that comes from there.
-vec3 shadedLamp(Lit p, vec2 uv, vec3 towards) {
-    float density = densityTowards(p, uv, towards);
-    return maskLightAtVertex(maskFor(p.fromRoot, p.facing, p.upright, towards), density) *
-           othersLeave(uv, p.fromRoot.y, towards) * tracedLamp(p.toEye, towards, density);
+// Share of the mask's height at which it is.
+float highAmong(Lit p) { return p.fromRoot.y / max(species.maskHeight, 1e-4); }
+// What a casting lamp's light sends from there, as shares of the lamp's: past the neighbours, and from blade to blade.
+vec3 lampSends(Lit p, vec2 uv, LampHere l) {
+    float density = densityTowards(p, uv, l.direction);
+    vec3 through = maskLightAtVertex(maskFor(p.fromRoot, p.facing, p.upright, l.direction), density) *
+                   tracedLamp(p.toEye, l.direction, density);
+    vec3 sent = leafLight(p.color.reflectance, bladeGloss(), p.normal, p.toEye, l.direction, l.light) * through +
+                p.color.reflectance * l.light * lampFill(l.direction, highAmong(p), density);
+    return sent * othersLeave(uv, p.fromRoot.y, l.direction);
 }
 // Lamps that cast shadows are shaded here, by the vertex: unlike the sun there may be many.
 vec3 lampsOn(Lit p, vec2 uv) {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < lampCount(); ++i) {
         LampHere l = lampReaching(i, p.position, vec3(0.0));
-        vec3 share = vec3(p.open);
-        if (BLADE_SHADOWS && i < castingLamps()) share = shadedLamp(p, uv, l.direction);
-        sum += leafLight(p.color.reflectance, bladeGloss(), p.normal, p.toEye, l.direction, l.light) * share;
+        if (BLADE_SHADOWS && i < castingLamps())
+            sum += lampSends(p, uv, l);
+        else
+            sum += leafLight(p.color.reflectance, bladeGloss(), p.normal, p.toEye, l.direction, l.light) * p.open;
     }
     return sum * p.color.scattered;
 }
@@ -101,15 +107,16 @@ void sunBlade(Lit p, vec2 uv, float share, inout BladeLight o) {
             p.open;
         return;
     }
-    left *= 1.0 - share;
     if (frame.sunCasts > 0.0) {
         p.density = densityTowards(p, uv, frame.sunDirection);
         left *= othersLeave(uv, p.fromRoot.y, frame.sunDirection);
+        o.lit.rgb += p.color.reflectance * frame.sunLight * left * sunFill(highAmong(p), p.density);
         o.maskAt = maskFor(p.fromRoot, p.facing, p.upright, frame.sunDirection);
         left *= tracedSun(p.toEye, p.density);
     } else {
         left *= p.open;
     }
+    left *= 1.0 - share;
     o.sunned = vec4(p.color.reflectance * frame.sunLight * left, p.density);
     o.turned.xy = vec2(dot(p.face, frame.sunDirection), dot(p.face, p.toEye));
     if (GLOSS) o.turned.z = species.gloss * waxyLobe(p.normal, frame.sunDirection, p.toEye, species.roughness) * left.g;

@@ -1,5 +1,6 @@
-// By how much blades are brighter than their local light says: light from blade to blade, and that what is seen is lit
-// (grass/traced.h). No fragment shaders. Needs: const bool GRASS_TRACED.
+// By how much blades are brighter than their local light says, since what is seen of them is lit, and what light comes
+// to them from blade to blade, into the shade, too (grass/traced.h). No fragment shaders. Needs: const bool
+// GRASS_TRACED.
 #include "lib/frame.glsl"
 #include "numerics/light.h"
 #include "lib/species.glsl"
@@ -29,6 +30,27 @@ vec3 tracedSun(vec3 toEye, float density) {
     for (int i = 0; i < 3; ++i)
         sum += species.tracedSun[i].rgb * t.rise[i] + species.tracedSun[3 + i].rgb * t.across[i];
     return mix(vec3(1.0), max(sum, vec3(0.0)), tracedShare(density, species.area.x));
+}
+// What comes from blade to blade of a light that lights what faces it by 1: on a blade of any direction, so high.
+// share: of the mask's height.
+vec3 fillAt(vec4 heights, int from) {
+    return species.tracedFill[from].rgb * heights.x + species.tracedFill[from + 1].rgb * heights.y +
+           species.tracedFill[from + 2].rgb * heights.z + species.tracedFill[from + 3].rgb * heights.w;
+}
+vec3 lampFill(vec3 towards, float share, float density) {
+    if (!GRASS_TRACED) return vec3(0.0);
+    vec4 heights = tracedHeights(share);
+    float at = tracedLightAt(towards.y);
+    int low = min(int(at), TRACED_LIGHTS - 2);
+    return mix(fillAt(heights, TRACED_HEIGHTS * low), fillAt(heights, TRACED_HEIGHTS * (low + 1)), at - float(low)) *
+           tracedShare(density, species.area.x);
+}
+vec3 sunFill(float share, float density) {
+    if (!GRASS_TRACED) return vec3(0.0);
+    vec4 heights = tracedHeights(share);
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < TRACED_HEIGHTS; ++i) sum += species.sunFill[i].rgb * heights[i];
+    return sum * tracedShare(density, species.area.x);
 }
 // Light from above and below on a side of a blade that faces n, divided by pi. At any density: local light takes the
 // share of the sky for that of full grass everywhere.

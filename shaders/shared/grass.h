@@ -7,7 +7,9 @@
 #define TRACED_TERMS 8   // and by the way that light and eye stand to each other, of one elevation of the light
 #define TRACED_LIGHTS 7  // elevations of the light (tracedLightAt)
 #define TRACED_DIRECT 56
-#define TRACED_GREY 0.1  // reflectance of the lawn that tells what painted grass shows
+#define TRACED_HEIGHTS 4  // from the soil up to the mask's height, at which light from blade to blade is told
+#define TRACED_FILL 28    // heights of each elevation of the light
+#define TRACED_GREY 0.1   // reflectance of the lawn that tells what painted grass shows
 #ifdef __cplusplus
 namespace sward {
 #endif
@@ -46,7 +48,9 @@ struct STD140 FieldGlobals {
 // What shaders of one species' blades read.
 struct STD140 SpeciesGlobals {
     vec4 traced[TRACED_DIRECT];      // of numerics/traced.h: of direct light, elevation by elevation of the light
+    vec4 tracedFill[TRACED_FILL];    // likewise of what comes of it from blade to blade, height by height
     vec4 tracedSun[TRACED_TERMS];    // of the sun's light
+    vec4 sunFill[TRACED_HEIGHTS];    // likewise
     vec4 tracedSky[TRACED_RISE];     // of the sky's
     vec4 tracedGround[TRACED_RISE];  // of light from below
     vec3 rootColor;

@@ -58,16 +58,17 @@ struct Night {
 TEST(LampLight, IsAsBrightByEachTechniqueAsInTheTruth) {
     NoGlErrors errors;
     const Night nights[] = {
-        {"a lamp over the grass", {{10, 3, 9}}, {{Technique::Geometry, 0.2303}}},
-        {"a low lamp to a side", {{14, 1, 9}}, {{Technique::Geometry, 0.1128}}},
+        {"a lamp over the grass", {{10, 3, 9}}, {{Technique::Geometry, 0.2268}}},
+        {"a low lamp to a side", {{14, 1, 9}}, {}},
         {"a lamp behind the eye", {{10, 2, 4}}, {{Technique::Slices, 0.109}, {Technique::Raytraced, 0.153}}},
-        {"three lamps", {{7, 2.5, 8}, {12, 3, 10}, {10, 2, 14}}, {{Technique::Geometry, 0.3385}}},
+        {"three lamps", {{7, 2.5, 8}, {12, 3, 10}, {10, 2, 14}}, {{Technique::Geometry, 0.3174}}},
     };
     for (const Night& n : nights) {
         Project p = night(n.lamps);
         const double truth = traced(p);
         ASSERT_GT(truth, 0.001);
-        for (const Technique t : {Technique::Geometry, Technique::Slices, Technique::Raytraced, Technique::Flat}) {
+        for (const Technique t :
+             {Technique::Geometry, Technique::Tessellated, Technique::Slices, Technique::Raytraced, Technique::Flat}) {
             const double share = drawn(p, t) / truth, off = std::abs(share - 1);
             const std::string what = std::string(n.name) + ", " + nameOf(t);
             std::printf("%s: %.3f of the truth\n", what.c_str(), share);

@@ -13,6 +13,8 @@ TracedLight someLight() {
     TracedLight t;
     for (size_t i = 0; i < t.blades.direct.size(); ++i)
         t.blades.direct[i] = glm::vec3(0.1f, 0.2f, -0.05f) * static_cast<float>(i + 1);
+    t.parts.direct = t.blades.direct;
+    for (size_t i = 0; i < t.parts.fill.size(); ++i) t.parts.fill[i] = glm::vec3(0.01f, 0.02f, 0.03f) * float(i);
     t.blades.sky = {glm::vec3(2), glm::vec3(-0.5f), glm::vec3(0.1f)};
     t.blades.ground = {glm::vec3(0.2f), glm::vec3(0), glm::vec3(1)};
     t.soilScattered = {0.01f, 0.02f, -0.1f};
@@ -41,6 +43,21 @@ TEST(Traced, ShadersReadTheSunsFactorsAsTheEngineDoes) {
     for (const glm::vec3& eye : {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::normalize(glm::vec3(-1, 0.2f, 0.7f))}) {
         const glm::vec3 want = tracedDirect(light.blades, eye, sun), got = asShadersRead(g, eye, sun);
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(got[c], want[c], 1e-5f * (1 + want[c]));
+    }
+}
+
+TEST(Traced, LightFromBladeToBladeIsReadBetweenHeightsAndElevations) {
+    SpeciesGlobals g{};
+    setTraced(g, nullptr, {0, 1, 0});
+    for (const glm::vec4& fill : g.sunFill) EXPECT_EQ(fill, glm::vec4(0)) << "nothing was traced";
+    const TracedLight light = someLight();
+    setTraced(g, &light, {0, 0.275f, 0});  // half-way from the second elevation to the third
+    for (size_t k = 0; k < TRACED_HEIGHTS; ++k)
+        EXPECT_NEAR(g.sunFill[k].y, 0.02f * (1.5f * TRACED_HEIGHTS + static_cast<float>(k)), 1e-5f);
+    for (const float share : {-1.0f, 0.0f, 0.1f, 0.5f, 0.9f, 1.0f, 7.0f}) {
+        const glm::vec4 heights = f32::tracedHeights(share);
+        EXPECT_NEAR(heights.x + heights.y + heights.z + heights.w, 1, 1e-6f) << share;
+        EXPECT_NEAR(heights.y / 3 + heights.z * 2 / 3 + heights.w, glm::clamp(share, 0.0f, 1.0f), 1e-6f) << share;
     }
 }
 
