@@ -147,7 +147,7 @@ void expectOrder(const Ranking& k, double missed) {
 TEST(AppearanceRanking, OtherBladesAreNearerThanFewerAndFewerThanBlurredAndFlat) {
     NoGlErrors errors;
     Renderer r(gpu(), tables());
-    const std::map<double, double> missedOfMeadow{{13.0, 1.01}, {15.0, 1.04}};
+    const std::map<double, double> missedOfMeadow{{15.0, 1.04}};
     for (const Design& d : {kTallMeadow, kDenseLawn})
         for (const double distance : {11.0, 13.0, 15.0}) {
             const auto missed = missedOfMeadow.find(distance);
