@@ -52,6 +52,18 @@ float densityOver(vec2 uv, float metres) {
                       levelOver(metres, textureSize(densityMap, 0)))
         .r;
 }
+// Share of what grows at the root that is not pressed down.
+float standing(Lit p, vec2 uv) {
+    if (!(FORCES || FORCE_MAP)) return 1.0;
+    float grown = (GRASS_DENSITY ? densityOver(uv, 0.0) : 1.0) * bladeShare(uv);
+    return clamp(p.density / max(grown, 1e-3), 0.0, 1.0);
+}
+// What other species leave of light from there, or of the sky's (0); they are pressed down as it is, and then none
+// stands in it.
+float othersLeft(Lit p, vec2 uv, vec3 towards) {
+    float stands = standing(p, uv);
+    return mix(1.0, othersLeave(uv, p.fromRoot.y / max(stands, 0.05), towards), stands);
+}
 // The density of what stands between a point of a blade and a light, half-way to where its ray leaves the mask's
 // cylinder or comes out above. Of what is pressed down nothing does, as at the root.
 float densityTowards(Lit p, vec2 uv, vec3 towards) {
@@ -60,8 +72,7 @@ float densityTowards(Lit p, vec2 uv, vec3 towards) {
           across = min(species.maskRadius, 0.5 * free * level / max(towards.y, 1e-4));
     vec2 at = uv + towards.xz * (across / level) * frame.mapShare;
     float there = densityOver(at, across) * bladeShare(at);
-    if (!(FORCES || FORCE_MAP)) return there;
-    return there * clamp(p.density / max(densityOver(uv, 0.0) * bladeShare(uv), 1e-3), 0.0, 1.0);
+    return there * standing(p, uv);
 }
 // Share of the mask's height at which it is.
 float highAmong(Lit p) { return p.fromRoot.y / max(species.maskHeight, 1e-4); }
@@ -72,7 +83,7 @@ vec3 lampSends(Lit p, vec2 uv, LampHere l) {
                    tracedLamp(p.toEye, l.direction, density);
     vec3 sent = leafLight(p.color.reflectance, bladeGloss(), p.normal, p.toEye, l.direction, l.light) * through +
                 p.color.reflectance * l.light * lampFill(l.direction, highAmong(p), density);
-    return sent * othersLeave(uv, p.fromRoot.y, l.direction);
+    return sent * othersLeft(p, uv, l.direction);
 }
 // Lamps that cast shadows are shaded here, by the vertex: unlike the sun there may be many.
 vec3 lampsOn(Lit p, vec2 uv) {
@@ -108,8 +119,8 @@ void sunBlade(Lit p, vec2 uv, float share, inout BladeLight o) {
         return;
     }
     if (frame.sunCasts > 0.0) {
+        left *= othersLeft(p, uv, frame.sunDirection);
         p.density = densityTowards(p, uv, frame.sunDirection);
-        left *= othersLeave(uv, p.fromRoot.y, frame.sunDirection);
         o.lit.rgb += p.color.reflectance * frame.sunLight * left * sunFill(highAmong(p), p.density);
         o.maskAt = maskFor(p.fromRoot, p.facing, p.upright, frame.sunDirection);
         left *= tracedSun(p.toEye, p.density);
@@ -128,7 +139,7 @@ BladeLight lightBlade(Lit p, vec2 uv) {
     p.fromRoot = inFullHeight(p.fromRoot, uv);
     if (GRASS_HEIGHTS) p.density *= bladeShare(uv);
     vec3 around = p.color.reflectance * p.color.scattered * tracedAmbient(p.normal, p.toEye);
-    float sky = skyShare(uv) * p.open * (BLADE_SHADOWS ? othersLeave(uv, p.fromRoot.y, vec3(0.0)) : 1.0);
+    float sky = skyShare(uv) * p.open * (BLADE_SHADOWS ? othersLeft(p, uv, vec3(0.0)) : 1.0);
     o.lit = vec4(around * sky + lampsOn(p, uv), share);
     sunBlade(p, uv, share, o);
     if (FOG || ATMOSPHERE) o.lit.rgb = mix(o.lit.rgb, hazeColor(p.position), share);
