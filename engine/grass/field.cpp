@@ -263,6 +263,7 @@ std::vector<std::string> fieldVariants() {
     }
     slices.sliceCover = SliceCover::Published;
     add();
+    out.push_back(fieldConstants({}, {}) + othersConstants({-1, -1, {0, -1}}, 2));
     return out;
 }
 

@@ -20,7 +20,7 @@
 namespace sward {
 namespace {
 
-constexpr uint32_t kVersion = 13;  // of the method: another one gives other factors
+constexpr uint32_t kVersion = 14;  // of the method: another one gives other factors
 constexpr int kRays = 2000;        // that meet a blade, a view
 constexpr int kParts = 16;         // of a view's rays, each with its own sums, so that any number of threads adds alike
 constexpr int kMostBounces = 12;
@@ -166,14 +166,14 @@ std::optional<Surface> goOn(Tracer& t, const Surface& s, const glm::vec3& toEye,
 }
 
 // How much each of TRACED_HEIGHTS counts for a blade there.
-glm::vec4 heightsOf(const Lawn& lawn, const Surface& s) {
+glm::vec3 heightsOf(const Lawn& lawn, const Surface& s) {
     return f32::tracedHeights(static_cast<float>(s.at.y) / std::max(lawn.shade.top, 1e-6f));
 }
 // A path from what was seen on, with light at each blade that it meets.
 void addLights(Tracer& t, Surface s, glm::vec3 toEye, const Lights& lights, Dice& dice, ViewSums& sums) {
     Weight weight;
     glm::vec3 way;
-    const glm::vec4 heights = heightsOf(t.lawn, s);
+    const glm::vec3 heights = heightsOf(t.lawn, s);
     for (int k = 0; k < TRACED_HEIGHTS; ++k)
         sums.reflect[static_cast<size_t>(k)] += glm::dvec3(heights[k] * s.color * s.tint);
     for (int n = 0; n < kMostBounces; ++n) {

@@ -41,7 +41,7 @@ void main() {
     vec3 n = dot(f.normal, position) > 0.0 ? -f.normal : f.normal;  // the side that faces the eye
     BladeLight light = lightBlade(Lit(bladeColor(b.hue, b.lightness * lighter, s.v, s.cell.middleLacked, s.uv),
                                       f.normal, n, unitOr(-position, 1e-6, n), position, fromRoot, pose.facing,
-                                      pose.upright, mix(species.rootOpen, 1.0, s.v), s.density),
+                                      pose.upright, mix(species.rootOpen, 1.0, s.v), s.density, 1.0),
                                   s.uv);
     lit = light.lit, sunned = light.sunned, turned = light.turned, maskAt = light.maskAt;
     if (viewMode() == VIEW_NORMALS) lit.rgb = n * 0.5 + 0.5;

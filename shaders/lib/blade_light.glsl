@@ -38,6 +38,7 @@ struct Lit {
     vec2 facing;
     vec3 upright;  // of its pose
     float open, density;
+    float stands;  // share of what grows there that is not pressed down (lightBlade)
 };
 // Where in the shadow mask it is, for a light.
 vec2 maskFor(vec3 fromRoot, vec2 facing, vec3 upright, vec3 towards) {
@@ -47,6 +48,9 @@ vec2 maskFor(vec3 fromRoot, vec2 facing, vec3 upright, vec3 towards) {
 }
 // As leafLight takes them.
 vec3 bladeGloss() { return vec3(species.translucency, species.gloss, species.roughness); }
+// How high over the ground it would be if its blade stood upright: its neighbours lean as it does.
+float highAmong(Lit p) { return max(stoodUp(p.fromRoot, p.upright).y, 0.0); }
+// The species' density there, as a mean over so many metres.
 float densityOver(vec2 uv, float metres) {
     return textureLod(densityMap, tiled(uv, field.species[species.index].tiling),
                       levelOver(metres, textureSize(densityMap, 0)))
@@ -58,31 +62,27 @@ float standing(Lit p, vec2 uv) {
     float grown = (GRASS_DENSITY ? densityOver(uv, 0.0) : 1.0) * bladeShare(uv);
     return clamp(p.density / max(grown, 1e-3), 0.0, 1.0);
 }
-// What other species leave of light from there, or of the sky's (0); they are pressed down as it is, and then none
-// stands in it.
-float othersLeft(Lit p, vec2 uv, vec3 towards) {
-    float stands = standing(p, uv);
-    return mix(1.0, othersLeave(uv, p.fromRoot.y / max(stands, 0.05), towards), stands);
-}
+// What other species leave of light from there, or of the sky's (0). Those are pressed down as it is, and what lies
+// stands in no light.
+float othersLeft(Lit p, vec2 uv, vec3 towards) { return mix(1.0, othersLeave(uv, highAmong(p), towards), p.stands); }
 // The density of what stands between a point of a blade and a light, half-way to where its ray leaves the mask's
-// cylinder or comes out above. Of what is pressed down nothing does, as at the root.
+// cylinder or comes out above.
 float densityTowards(Lit p, vec2 uv, vec3 towards) {
     if (!GRASS_DENSITY) return p.density;
-    float level = max(length(towards.xz), 1e-4), free = max(species.maskHeight - p.fromRoot.y, 0.0),
+    float level = max(length(towards.xz), 1e-4), free = max(species.maskHeight - highAmong(p), 0.0),
           across = min(species.maskRadius, 0.5 * free * level / max(towards.y, 1e-4));
     vec2 at = uv + towards.xz * (across / level) * frame.mapShare;
-    float there = densityOver(at, across) * bladeShare(at);
-    return there * standing(p, uv);
+    return densityOver(at, across) * bladeShare(at) * p.stands;
 }
-// Share of the mask's height at which it is.
-float highAmong(Lit p) { return p.fromRoot.y / max(species.maskHeight, 1e-4); }
+// Where its height lies in the mask's.
+float shareAmong(Lit p) { return highAmong(p) / max(species.maskHeight, 1e-4); }
 // What a casting lamp's light sends from there, as shares of the lamp's: past the neighbours, and from blade to blade.
 vec3 lampSends(Lit p, vec2 uv, LampHere l) {
     float density = densityTowards(p, uv, l.direction);
     vec3 through = maskLightAtVertex(maskFor(p.fromRoot, p.facing, p.upright, l.direction), density) *
                    tracedLamp(p.toEye, l.direction, density);
     vec3 sent = leafLight(p.color.reflectance, bladeGloss(), p.normal, p.toEye, l.direction, l.light) * through +
-                p.color.reflectance * l.light * lampFill(l.direction, highAmong(p), density);
+                p.color.reflectance * l.light * lampFill(l.direction, shareAmong(p), density);
     return sent * othersLeft(p, uv, l.direction);
 }
 // Lamps that cast shadows are shaded here, by the vertex: unlike the sun there may be many.
@@ -121,7 +121,7 @@ void sunBlade(Lit p, vec2 uv, float share, inout BladeLight o) {
     if (frame.sunCasts > 0.0) {
         left *= othersLeft(p, uv, frame.sunDirection);
         p.density = densityTowards(p, uv, frame.sunDirection);
-        o.lit.rgb += p.color.reflectance * frame.sunLight * left * sunFill(highAmong(p), p.density);
+        o.lit.rgb += p.color.reflectance * frame.sunLight * left * sunFill(shareAmong(p), p.density);
         o.maskAt = maskFor(p.fromRoot, p.facing, p.upright, frame.sunDirection);
         left *= tracedSun(p.toEye, p.density);
     } else {
@@ -138,6 +138,7 @@ BladeLight lightBlade(Lit p, vec2 uv) {
     p.color.reflectance *= darkened(distance);
     p.fromRoot = inFullHeight(p.fromRoot, uv);
     if (GRASS_HEIGHTS) p.density *= bladeShare(uv);
+    p.stands = standing(p, uv);
     vec3 around = p.color.reflectance * p.color.scattered * tracedAmbient(p.normal, p.toEye);
     float sky = skyShare(uv) * p.open * (BLADE_SHADOWS ? othersLeft(p, uv, vec3(0.0)) : 1.0);
     o.lit = vec4(around * sky + lampsOn(p, uv), share);

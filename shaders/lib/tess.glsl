@@ -85,7 +85,7 @@ BladeLight lightPoint(TessBlade t, vec3 fromRoot, vec3 normal, float v, out vec3
     shown = dot(normal, position) > 0.0 ? -normal : normal;
     BladeLight l = lightBlade(Lit(bladeColor(t.hue, t.lightness, v, middleLackedEvenly(t.level), t.uv), normal, shown,
                                   unitOr(-position, 1e-6, shown), position, fromRoot, t.pose.facing, t.pose.upright,
-                                  mix(species.rootOpen, 1.0, v), t.density),
+                                  mix(species.rootOpen, 1.0, v), t.density, 1.0),
                               t.uv);
     if (viewMode() == VIEW_NORMALS) l.lit.rgb = shown * 0.5 + 0.5;
     return l;

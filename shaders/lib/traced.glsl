@@ -33,13 +33,13 @@ vec3 tracedSun(vec3 toEye, float density) {
 }
 // What comes from blade to blade of a light that lights what faces it by 1: on a blade of any direction, so high.
 // share: of the mask's height.
-vec3 fillAt(vec4 heights, int from) {
+vec3 fillAt(vec3 heights, int from) {
     return species.tracedFill[from].rgb * heights.x + species.tracedFill[from + 1].rgb * heights.y +
-           species.tracedFill[from + 2].rgb * heights.z + species.tracedFill[from + 3].rgb * heights.w;
+           species.tracedFill[from + 2].rgb * heights.z;
 }
 vec3 lampFill(vec3 towards, float share, float density) {
     if (!GRASS_TRACED) return vec3(0.0);
-    vec4 heights = tracedHeights(share);
+    vec3 heights = tracedHeights(share);
     float at = tracedLightAt(towards.y);
     int low = min(int(at), TRACED_LIGHTS - 2);
     return mix(fillAt(heights, TRACED_HEIGHTS * low), fillAt(heights, TRACED_HEIGHTS * (low + 1)), at - float(low)) *
@@ -47,7 +47,7 @@ vec3 lampFill(vec3 towards, float share, float density) {
 }
 vec3 sunFill(float share, float density) {
     if (!GRASS_TRACED) return vec3(0.0);
-    vec4 heights = tracedHeights(share);
+    vec3 heights = tracedHeights(share);
     vec3 sum = vec3(0.0);
     for (int i = 0; i < TRACED_HEIGHTS; ++i) sum += species.sunFill[i].rgb * heights[i];
     return sum * tracedShare(density, species.area.x);

@@ -28,11 +28,11 @@ FN real tracedShare(real density, real area) {
     real all = max(area, real(1e-3));
     return (real(1.0) - exp(-all * density)) / (real(1.0) - exp(-all));
 }
-// How much each of the four heights counts at a share of the mask's height, straight between them.
-FN vec4 tracedHeights(real share) {
-    real at = clamp(share, real(0.0), real(1.0)) * real(3.0);
-    return vec4(max(real(1.0) - at, real(0.0)), max(real(1.0) - abs(at - real(1.0)), real(0.0)),
-                max(real(1.0) - abs(at - real(2.0)), real(0.0)), max(at - real(2.0), real(0.0)));
+// How much each of three heights, the soil's, half of the mask's and the mask's, counts at a share of it, straight
+// between them.
+FN vec3 tracedHeights(real share) {
+    real at = clamp(share, real(0.0), real(1.0)) * real(2.0);
+    return vec3(max(real(1.0) - at, real(0.0)), real(1.0) - abs(at - real(1.0)), max(at - real(1.0), real(0.0)));
 }
 // What the factor of a direct light is a sum of, for one elevation of the light.
 struct TracedTerms {

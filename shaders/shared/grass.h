@@ -7,8 +7,8 @@
 #define TRACED_TERMS 8   // and by the way that light and eye stand to each other, of one elevation of the light
 #define TRACED_LIGHTS 7  // elevations of the light (tracedLightAt)
 #define TRACED_DIRECT 56
-#define TRACED_HEIGHTS 4  // from the soil up to the mask's height, at which light from blade to blade is told
-#define TRACED_FILL 28    // heights of each elevation of the light
+#define TRACED_HEIGHTS 3  // from the soil up to the mask's height, at which light from blade to blade is told
+#define TRACED_FILL 21    // heights of each elevation of the light
 #define TRACED_GREY 0.1   // reflectance of the lawn that tells what painted grass shows
 #ifdef __cplusplus
 namespace sward {
