@@ -42,7 +42,7 @@ float amongLeave(const std::vector<Among>& among, float high, const glm::vec3& t
     for (const Among& a : among) {
         const float share = f32::shareAbove(a.height, high);
         depth += a.density * (towards == glm::vec3(0) ? f32::skyDepthAbove(a.skyLeft, share)
-                                                      : f32::depthAbove(a.area, share, towards));
+                                                      : f32::depthAbove(a.area, share, towards, towards.y));
     }
     return std::exp(-depth);
 }

@@ -374,8 +374,11 @@ void updateLook(Look& look, uint64_t& madeFrom, const Species& s, const Patch& p
 }
 
 float lightLeft(const Look& look, float sinElevation) {
-    const float y = std::max(sinElevation, 0.15f), across = look.across * std::sqrt(std::max(1 - y * y, 0.0f));
-    return std::exp(-std::sqrt(across * across + look.above * look.above * y * y) / y);
+    return lightLeft(look, {std::sqrt(std::max(1 - sinElevation * sinElevation, 0.0f)), sinElevation, 0}, {0, 0});
+}
+float lightLeft(const Look& look, const glm::vec3& towards, const glm::vec2& slope) {
+    const float rise = std::max(f32::riseOver(towards, slope), f32::kLeastRise);
+    return std::exp(-f32::leafDepth({look.across, look.above}, towards, rise));
 }
 
 Gains gainsOf(const Look& look, const FieldLight& light, const DrawnImages& images) {

@@ -46,6 +46,8 @@ void updateLook(Look& look, uint64_t& madeFrom, const Species& species, const Pa
 
 // Share of light from this elevation that full grass leaves to the soil: Beer's law.
 float lightLeft(const Look& look, float sinElevation);
+// Likewise of light from `towards` (unit) over ground of this slope (numerics/slope.h).
+float lightLeft(const Look& look, const glm::vec3& towards, const glm::vec2& slope);
 
 inline constexpr float kThinDensity = 1.0f / THIN_DENSITY;
 // By view: LOOK_AZIMUTHS (x = cos a, z = sin a towards the eye, fastest) times LOOK_ELEVATIONS.

@@ -18,9 +18,12 @@ constexpr const char* kOwner = "grass/field";
 
 // Of light that comes down to the soil from the sky, and of the sun's from blade to blade (SpeciesInField); where
 // nothing was traced, of the sky as much as of the sun.
+const TracedLight* tracedHere(const DrawContext& ctx, const Field& field, size_t species) {
+    return field.draws(Feature::GrassTraced) ? tracedOf(ctx, field.grown->name, species) : nullptr;
+}
 glm::vec2 indirect(const DrawContext& ctx, const Field& field, size_t species) {
     const float sun = ctx.globals.sunDirection.y;
-    const TracedLight* traced = field.draws(Feature::GrassTraced) ? tracedOf(ctx, field.grown->name, species) : nullptr;
+    const TracedLight* traced = tracedHere(ctx, field, species);
     if (!traced) return {lightLeft(field.grown->species[species]->look, sun), 0};
     return {traced->soilSky, soilScattered(*traced, sun)};
 }
@@ -39,13 +42,9 @@ void writeGlobals(DrawContext& ctx, Field& field) {
     globals.heightTiling = shaderTiling(t, f.bladeHeightTiling);
     const Wind* wind = windOf(ctx.project);
     for (size_t i = 0; i < field.species.size(); ++i)
-        globals.species[i] = {shaderTiling(t, f.species[i].densityTiling),
-                              lightLeft(field.species[i].grown->look, ctx.globals.sunDirection.y),
-                              field.species[i].grown->look.height,
-                              wind ? windStrength(*wind, f.species[i]) : 0,
-                              indirect(ctx, field, i).x,
-                              indirect(ctx, field, i).y,
-                              glm::vec2(0)};
+        globals.species[i] = {shaderTiling(t, f.species[i].densityTiling), field.species[i].grown->look.height,
+                              wind ? windStrength(*wind, f.species[i]) : 0, indirect(ctx, field, i).x,
+                              indirect(ctx, field, i).y};
     globals.shadeFrom = tiers.soil.min, globals.shadeInv = tiers.soil.inv;
     globals.farDarkening = far.farDarkening, globals.farDarkeningAt = far.farDarkeningDistance;
     const uint64_t hash = hashBytes(&globals, sizeof(globals));
@@ -84,13 +83,17 @@ void publishSoil(DrawContext& ctx, GrassFields& grass) {
         numbers.push_back({soilMap(soil, field.grown->bladeHeights), soilMap(soil, field.grown->occlusion), {}});
         for (size_t k = 0; k < field.species.size() && species < MAX_SOIL_SPECIES; ++k, ++species) {
             const GrownSpecies& s = *field.grown->species[k];
-            g.species[species] = {lightLeft(s.look, ctx.globals.sunDirection.y),
+            const glm::vec2 comes = indirect(ctx, field, k);
+            g.species[species] = {{s.look.across, s.look.above},
                                   shaderTiling(t, f.species[k].densityTiling),
-                                  {s.look.across, s.look.above},
-                                  indirect(ctx, field, k).x,
-                                  indirect(ctx, field, k).y,
+                                  comes.x,
+                                  comes.y,
                                   s.look.height,
-                                  0};
+                                  s.shade.top,
+                                  0,
+                                  {}};
+            if (const TracedLight* traced = tracedHere(ctx, field, k))
+                setSunFill(g.species[species].sunFill, *traced, ctx.globals.sunDirection);
             numbers.back().density.push_back(soilMap(soil, f.species[k].density.present() ? s.density : 0));
         }
         field.view->constants += othersConstants(numbers.back(), species);

@@ -159,7 +159,8 @@ void publish(const DrawContext& ctx, const Selection& s, FieldSpecies& own) {
     d.strips = static_cast<uint32_t>(m.strips);
     d.segments = m.segments;
     d.verticesABlade = m.verticesABlade;
-    d.shading = shadingShare(own.grown->look, ctx.globals.sunDirection.y);
+    // Lamps stand as high over their grass as may be.
+    d.shading = shadingShare(own.grown->look, ctx.shared.lights.casting > 0 ? 1 : ctx.globals.sunDirection.y);
     if (!s.chosen.byGpu) return;
     d.count = s.chosen.count;
     d.shadowCommands = s.commands.id();
@@ -260,7 +261,7 @@ const System kSystems[] = {
      {.reads = {Slot::Grass, Slot::Meshes, Slot::Ground, Slot::Sun, Slot::Lamps}, .writes = {Slot::Blades}},
      cull}};
 const ProgramRow kPrograms[] = {
-    {"grass/geometry", "grass/geometry.vert.glsl", "grass/geometry.frag.glsl", nullptr, fieldVariants}};
+    {"grass/geometry", "grass/geometry.vert.glsl", "grass/blade.frag.glsl", nullptr, fieldVariants}};
 const ProgramRow kCellPrograms[] = {{"grass/geometry/choice", nullptr, nullptr, "grass/cells.comp.glsl"},
                                     {"grass/geometry/commands", nullptr, nullptr, "grass/cell_commands.comp.glsl"}};
 const Pass kPasses[] = {{"grass/geometry/cells",

@@ -38,6 +38,7 @@ void updateTexture(DrawContext& ctx, GrownSpecies& s, const Species& species) {
     s.textureOf = species.texture;
     s.bladeImage = bladeImage(ctx.project, species);
     s.bladeHash = hashBytes(s.bladeImage.pixels.data(), s.bladeImage.pixels.size());
+    s.cover = alphaMoments(s.bladeImage);
     s.bladeTexture = makeBladeTexture(ctx.gpu, kOwner, s.bladeImage);
 }
 
@@ -60,8 +61,8 @@ void writeGlobals(DrawContext& ctx, GrownSpecies& s, const GrownField& field, si
     g.spread = sown.spread, g.step = sown.step, g.sownShare = sown.share;
     g.sowSeed = sowingSeed(sp, g.seed);
     g.area = {s.look.across, s.look.above};
-    setTraced(g, field.draws(Feature::GrassTraced) ? tracedOf(ctx, field.name, index) : nullptr,
-              ctx.globals.sunDirection);
+    setCover(g, s.cover);
+    setTraced(g, field.draws(Feature::GrassTraced) ? tracedOf(ctx, field.name, index) : nullptr);
     g.maskRadius = s.shade.radius, g.maskHeight = s.shade.top;
     const uint64_t hash = hashBytes(&g, sizeof(g));
     if (s.globals.id() && s.globalsHash == hash) return;

@@ -5,6 +5,7 @@
 #include "frame/draw_context.h"
 #include "grass/among.h"
 #include "grass/appearance.h"
+#include "grass/blade_cover.h"
 #include "grass/cells.h"
 #include "grass/slice_settings.h"
 #include "grass/slice_textures.h"
@@ -26,6 +27,7 @@ struct GrownSpecies {
     Buffer globals;  // SpeciesGlobals
     uint64_t globalsHash = 0;
     Rgba8 bladeImage;
+    AlphaMoments cover{};    // of the image
     uint64_t bladeHash = 0;  // of the image: hashed when it is loaded, not each frame
     Texture bladeTexture;
     std::string textureOf = "?";

@@ -28,8 +28,7 @@ constexpr size_t kBatchBytes = 128u << 20;  // of vertices that are there at onc
 
 // What all views share of a species: its blades, and how the rows of strips are joined.
 struct Mesh {
-    uint64_t key = 0, imageHash = 0;
-    float covered = 1;  // mean of the blade image's alpha
+    uint64_t key = 0;
     int indicesTo = 0;
     Buffer blades, indices;
 };
@@ -58,18 +57,12 @@ bool stagesChosen(Tessellation way, const Gpu& gpu) {
 
 // --- what shaders know of a species ----------------------------------------------------------------------------------
 
-float meanAlpha(const Rgba8& image) {
-    double sum = 0;
-    for (size_t i = 3; i < image.pixels.size(); i += 4) sum += image.pixels[i];
-    return image.pixels.empty() ? 1 : static_cast<float>(sum / (255.0 * static_cast<double>(image.pixels.size() / 4)));
-}
-
 float mostWidening(const TessellatedBlades& f) {
     return f.widening ? std::min(1 / std::max(1 - f.thinning, 1e-3f), kMostWidening) : 1;
 }
 
-TessGlobals globalsOf(const DrawContext& ctx, const TessellatedBlades& f, const Species& species, float covered) {
-    TessGlobals g;
+TessGlobals globalsOf(const DrawContext& ctx, const TessellatedBlades& f, const Species& species) {
+    TessGlobals g{};
     g.maxDistance = f.maxDistance;
     g.thinning = f.thinning / f.maxDistance;
     g.lowerInv = 1 / std::max(f.maxDistance * (1 - f.lowerFrom), 1e-6f);
@@ -79,7 +72,6 @@ TessGlobals globalsOf(const DrawContext& ctx, const TessellatedBlades& f, const 
     g.near = kNear;
     g.pixelsPerMetre = pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
     g.plainPixels = kPlainPixels;
-    g.plainWidth = 2 * covered;  // a triangle covers half of its strip
     return g;
 }
 
@@ -88,8 +80,6 @@ void updateMesh(DrawContext& ctx, Mesh& m, const GrownSpecies& species) {
     if (m.key != species.drawnKey() || !m.blades.id())
         m.blades = makeBuffer(ctx.gpu, kOwner, blades.size() * sizeof(Blade), blades.data());
     m.key = species.drawnKey();
-    if (m.imageHash != species.bladeHash) m.covered = meanAlpha(species.bladeImage);
-    m.imageHash = species.bladeHash;
 }
 
 void updateMeshes(DrawContext& ctx) {
@@ -145,7 +135,7 @@ void selectSpecies(DrawContext& ctx, const Field& field, size_t i, Selection& s)
     const Species& species = field.grows().species[i];
     const float pixels = pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
     s.mesh = &ctx.own<TessState>().meshes.at(field.number, i);
-    const TessGlobals g = globalsOf(ctx, f, species, s.mesh->covered);
+    const TessGlobals g = globalsOf(ctx, f, species);
     writeBuffer(ctx.gpu, s.globals, kOwner, sizeof(g), &g);
     const float widest = 1.25f * species.width * mostWidening(f) * ctx.globals.widening;
     const CellQuery query = queryOf(ctx, field, i);
@@ -382,11 +372,10 @@ const System kSystems[] = {
     {"grass/tessellated/meshes", {.reads = {Slot::Grown}, .appends = {Slot::Meshes}}, updateMeshes, true},
     {"grass/tessellated/select", {.reads = {Slot::Grass, Slot::Meshes, Slot::Ground}}, select}};
 const ProgramRow kPrograms[] = {
-    {"grass/tessellated/stages", "grass/tessellated.vert.glsl", "grass/tessellated.frag.glsl", nullptr, fieldVariants,
+    {"grass/tessellated/stages", "grass/tessellated.vert.glsl", "grass/blade.frag.glsl", nullptr, fieldVariants,
      "grass/tessellated.tesc.glsl", "grass/tessellated.tese.glsl"},
     {"grass/tessellated/writer", nullptr, nullptr, "grass/tessellated.comp.glsl", stripVariants},
-    {"grass/tessellated/strips", "grass/tessellated_strip.vert.glsl", "grass/tessellated.frag.glsl", nullptr,
-     stripVariants},
+    {"grass/tessellated/strips", "grass/tessellated_strip.vert.glsl", "grass/blade.frag.glsl", nullptr, stripVariants},
     {"grass/tessellated/plain", "grass/tessellated_strip.vert.glsl", "grass/tessellated_plain.frag.glsl", nullptr,
      stripVariants},
 };

@@ -116,7 +116,12 @@ float soilScattered(const TracedLight& traced, float sinElevation) {
     return std::max(glm::dot(traced.soilScattered, f32::tracedRise(sinElevation)), 0.0f);
 }
 
-void setTraced(SpeciesGlobals& g, const TracedLight* traced, const glm::vec3& sun) {
+void setSunFill(glm::vec4 (&fill)[TRACED_HEIGHTS], const TracedLight& traced, const glm::vec3& sun) {
+    const auto numbers = numbersFor<TRACED_HEIGHTS>(traced.parts.fill, sun.y);
+    for (size_t i = 0; i < numbers.size(); ++i) fill[i] = glm::vec4(numbers[i], 0);
+}
+
+void setTraced(SpeciesGlobals& g, const TracedLight* traced) {
     TracedFactors none;
     none.sky[0] = none.ground[0] = glm::vec3(1);
     TracedParts alone;
@@ -128,8 +133,6 @@ void setTraced(SpeciesGlobals& g, const TracedLight* traced, const glm::vec3& su
         for (size_t i = 0; i < numbers.size(); ++i) to[i] = glm::vec4(numbers[i], 0);
     };
     write(g.traced, parts.direct), write(g.tracedFill, parts.fill);
-    write(g.tracedSun, numbersFor<TRACED_TERMS>(parts.direct, sun.y));
-    write(g.sunFill, numbersFor<TRACED_HEIGHTS>(parts.fill, sun.y));
     write(g.tracedSky, t.sky), write(g.tracedGround, t.ground);
 }
 

@@ -90,7 +90,9 @@ glm::vec3 tracedHotSpot(const TracedFactors& traced, const glm::vec3& towards);
 glm::vec3 shownDirect(const decltype(TracedShows::direct)& direct, const glm::vec3& toEye, const glm::vec3& towards);
 glm::vec3 shownRise(const std::array<glm::vec3, kTracedViews>& shows, float sinElevation);
 glm::vec3 tracedRise(const std::array<glm::vec3, TRACED_RISE>& numbers, float sinElevation);
-// Writes them for shaders; sun: unit, towards it. Null: factors of 1.
-void setTraced(SpeciesGlobals& g, const TracedLight* traced, const glm::vec3& sun);
+// Writes them for shaders. Null: factors of 1.
+void setTraced(SpeciesGlobals& g, const TracedLight* traced);
+// What comes of the sun's light from blade to blade in full grass; sun: unit, towards it.
+void setSunFill(glm::vec4 (&fill)[TRACED_HEIGHTS], const TracedLight& traced, const glm::vec3& sun);
 
 }  // namespace sward

@@ -174,13 +174,15 @@ std::optional<Surface> GrassRays::closest(const Ray& ray, GrassMemory& memory) c
     return bladeSurface(*best->field, ray, *best, end);
 }
 
-float GrassRays::lightLeft(const glm::dvec2& place, float sinElevation, FieldBits of) const {
+float GrassRays::lightLeft(const glm::dvec2& place, const glm::vec3& towards, const glm::vec3& normal,
+                           FieldBits of) const {
+    const glm::vec2 slope = -glm::vec2(normal.x, normal.z) / std::max(normal.y, 0.05f);
     float left = 1;
     for (const auto& field : fields_) {
         if (!(of >> field->number & 1)) continue;
         const glm::dvec2 ground = place * mapExtent(*field->terrain);
         for (const auto& kind : field->kinds)
-            left *= glm::mix(1.0f, std::pow(sward::lightLeft(kind->look, sinElevation), bladeShareAt(*field, ground)),
+            left *= glm::mix(1.0f, std::pow(sward::lightLeft(kind->look, towards, slope), bladeShareAt(*field, ground)),
                              densityAt(*field, *kind->species, ground));
     }
     return left;

@@ -43,9 +43,10 @@ class GrassRays {
     std::optional<Surface> closest(const Ray& ray, GrassMemory& memory) const;
     // Whether a blade of one of these fields is in the ray's way.
     bool blocks(const Ray& ray, GrassMemory& memory, FieldBits of = kAllFields) const;
-    // Share of light from this elevation that the grass of these fields leaves to the soil at a place (a share of the
-    // terrain) in the mean, as shaders have it where they draw no shadows (grass/appearance.h).
-    float lightLeft(const glm::dvec2& place, float sinElevation, FieldBits of = kAllFields) const;
+    // Share of light from `towards` (unit) that the grass of these fields leaves to soil of this normal at a place (a
+    // share of the terrain) in the mean, as shaders have it where they draw no shadows (grass/appearance.h).
+    float lightLeft(const glm::dvec2& place, const glm::vec3& towards, const glm::vec3& normal,
+                    FieldBits of = kAllFields) const;
 
   private:
     GrassRays();

@@ -140,7 +140,7 @@ glm::vec3 background(const View& v, const glm::dvec3& way, bool withSun) {
 glm::vec3 landColor(const View& v, const Surface& s) {
     const Land& land = v.scene.solids->land();
     const float beyond = f32::beyondBy({s.at.x, s.at.z}, v.globals.terrainSize),
-                left = v.scene.grass->lightLeft(s.place, v.globals.sunDirection.y);
+                left = v.scene.grass->lightLeft(s.place, v.globals.sunDirection, s.normal);
     return f32::landSends(s.color * left, land.grass, left, land.mean, f32::landMean(beyond, land.fade));
 }
 
@@ -188,12 +188,12 @@ glm::vec3 sends(const Surface& s, const glm::vec3& toEye, const glm::vec3& towar
 }
 
 // Share of direct light that is left where shadows are not traced: as shaders have it without masks and drawn shadows.
-float untracedShare(const View& v, const Surface& s, bool casts, float sinElevation) {
+float untracedShare(const View& v, const Surface& s, bool casts, const glm::vec3& towards) {
     if (v.settings.lighting == ReferenceLighting::Full) return 1;
     if (s.met == Met::Flower) return s.open;
     if (s.met == Met::Blade) return (v.masked >> s.field & 1) && casts ? 1 : s.open;
     if (s.met == Met::Ground && !s.beyond)
-        return v.scene.grass->lightLeft(s.place, sinElevation, casts ? ~v.shading : kAllFields);
+        return v.scene.grass->lightLeft(s.place, towards, s.normal, casts ? ~v.shading : kAllFields);
     return 1;
 }
 
@@ -209,7 +209,7 @@ glm::vec3 lightFrom(const View& v, const Surface& s, const glm::vec3& toEye, con
     const glm::vec3 sent = sends(s, toEye, light.towards) * light.color;
     if (sent == glm::vec3(0)) return glm::vec3(0);
     if (light.casts && !lit(v, s, light.towards, light.far, dice, memory)) return glm::vec3(0);
-    return sent * untracedShare(v, s, light.casts, light.towards.y);
+    return sent * untracedShare(v, s, light.casts, light.towards);
 }
 
 // Calls body(arriving) for the sun, if it is up, and for each lamp.
@@ -248,7 +248,8 @@ float skyShare(const View& v, const Surface& s) {
 glm::vec3 ambientLight(const View& v, const Surface& s) {
     float share = s.met == Met::Object ? 1 : s.open;
     if (s.met != Met::Object) share *= skyShare(v, s);
-    if (s.met == Met::Ground && !s.beyond) share *= v.scene.grass->lightLeft(s.place, v.globals.sunDirection.y);
+    if (s.met == Met::Ground && !s.beyond)
+        share *= v.scene.grass->lightLeft(s.place, v.globals.sunDirection, {0, 1, 0});
     const auto from = [&](float up) { return f32::halvesLight(v.globals.groundLight, v.globals.skyLight, up); };
     glm::vec3 sent = s.color * s.tint * from(s.normal.y);
     // Blades have no light from all around through them, as shaders light them.

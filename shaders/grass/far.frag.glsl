@@ -62,22 +62,14 @@ vec2 laidSeen(vec3 toEye, float vertical) {
     return vec2(laidBy(f), f.z) * mix(laidBy(forceSeen(toEye, slices.meanHeight * slices.cellSize)), 1.0, vertical);
 }
 
-// The direction towards the eye as it is to the ground, which falls towards the eye or away from it: a hillside that
-// faces the eye shows its grass as from above. slope: of the ground, metres a metre along x and z.
-vec3 overSlope(vec3 toEye, vec2 slope) {
-    float level = max(length(toEye.xz), 1e-4);
-    vec2 way = toEye.xz / level;
-    return normalize(vec3(way, max(toEye.y / level - dot(slope, way), 0.0)).xzy);
-}
-
 void main() {
     vec3 face = cross(dFdx(position), dFdy(position));  // before pixels part
-    vec2 slope = -face.xz / (abs(face.y) > 1e-12 ? face.y : 1e-12);
+    vec2 slope = clamp(-face.xz / (abs(face.y) > 1e-12 ? face.y : 1e-12), vec2(-4.0), vec2(4.0));
     if (TERRAIN_BEYOND && beyondBy(place, frame.terrainSize) > 0.0) discard;  // of nodes that reach over the edge
     Repeated r = repeated(position.xz);
     vec2 uv = mapPlace(place);
     float d = length(position);
-    vec3 toEye = -position / max(d, 1e-4), seen = overSlope(toEye, clamp(slope, vec2(-4.0), vec2(4.0)));
+    vec3 toEye = -position / max(d, 1e-4), seen = seenOver(toEye, slope);
     float grown = densityAlong(uv), density = sliceDensity(grown, lodRamp(d, slices.minGeom, slices.geomInv));
     BladeStand stand = standHere(uv);
     vec2 lean = leanOf(stand, vec2(0.0)).lean;
@@ -100,7 +92,7 @@ void main() {
     BladeLean l = leanOf(stand, vec2(0.0));
     float plain = slices.reflectScale * darkened(d) * l.lighter;
     FarLit lit = FarLit(levelSun(), kLevel, position, kOnGround, slices.farAmbient * skyShare(uv),
-                        sunVisible(position, kOnGround),
+                        sunVisible(position, kOnGround) * sunOverSlope(toEye, slope, density),
                         plain * farLevel(max(length(r.dx), length(r.dy))) * farGain(seen, lean, l.clump, laid.y, grown),
                         plain * laidGain(lookTap(seen), laid.y), sunsHotSpot(toEye, laid.y));
     vec3 light = clamp(farRadiance(sliceLight, r, leaf, stored.zw, lit), vec3(0.0), vec3(kBrightest));

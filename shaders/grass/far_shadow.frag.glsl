@@ -30,8 +30,9 @@ void main() {
     float opacity = farOpacity(sliceThreshold, repeated(position.xz + towards.xz * (slices.farHeight / high)), density,
                                tall, high, 0.0, laidBy(forceHere(position.xz, uv)), stored);
     SpeciesInField kind = field.species[slices.species];
+    vec3 n = normalize(normal);
     SoilShares soil = soilShares(
-        soilLeft(kind.shade, slices.area, vec2(kind.skyLeft, kind.scattered), grown, grown, tall), near, skyShare(uv));
-    vec3 takes = shadowShare(light, position, normalize(normal), soil);
+        soilLeft(slices.area, vec2(kind.skyLeft, kind.scattered), slopeOf(n), grown, grown, tall), near, skyShare(uv));
+    vec3 takes = shadowShare(light, position, n, soil);
     color = vec4(clamp(vec3(1.0) - takes * (opacity * near), vec3(0.0), vec3(1.0)), 1.0);
 }

@@ -6,6 +6,7 @@
 #include "lib/ground_light.glsl"
 #include "lib/heights.glsl"
 #include "lib/lamps.glsl"
+#include "lib/straight.glsl"
 #include "lib/strip.glsl"
 #include "numerics/blade.h"
 #include "numerics/lod.h"
@@ -36,7 +37,7 @@ void main() {
     SpeciesInField kind = field.species[species.index];
     float near = 1.0 - lodRamp(length(s.root), field.shadeFrom, field.shadeInv);
     SoilShares soil = soilShares(
-        soilLeft(kind.shade, species.area, vec2(kind.skyLeft, kind.scattered), s.density, s.density, bladeShare(s.uv)),
+        soilLeft(species.area, vec2(kind.skyLeft, kind.scattered), slopeOf(n), s.density, s.density, bladeShare(s.uv)),
         near, skyShare(s.uv));
     vec3 takes = shadowShare(light, s.root, n, soil);
     if (!(max(takes.r, max(takes.g, takes.b)) > 1.0 / 255.0)) return;
@@ -44,7 +45,12 @@ void main() {
     float lighter;
     BladePose pose = poseHere(b, s, lighter);
     BladeFrame f = bladeFrameFacing(pose.control, pose.tip, pose.facing, s.v);
-    vec3 p = f.position + f.side * (s.across * b.width * frame.widening * (1.0 - s.v * s.v));
+    float width = b.width * frame.widening;
+    vec3 p = f.position + f.side * (s.across * width * (1.0 - s.v * s.v));
+    if (s.cell.middleLacked > 0.49) {  // one quad
+        PlainBlade plain = plainBlade(pose, width);
+        p = mix(plain.base, plain.apex, s.v) + f.side * (s.across * plain.width * (1.0 - s.v));
+    }
     vec3 l = towardsLight(s.root + p);
     GroundShadow shadow = shadowOfSun(dot(p, n), vec3(l.x, dot(l, n), l.z), kLongest * kind.height);
     vec2 land = p.xz + shadow.offset;

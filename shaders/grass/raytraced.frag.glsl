@@ -49,13 +49,6 @@ BladeStand standHere(vec3 foot, vec2 at, vec2 uv, out float press) {
 vec2 toCells(vec2 at) { return at / slices.cellSize + slices.inCell; }
 vec2 fromCells(vec2 c) { return (c - slices.inCell) * slices.cellSize; }
 
-// Rise of the ground a metre along x and z.
-vec2 slopeHere(vec2 ground) {
-    if (!TERRAIN_HEIGHTS) return vec2(0.0);
-    vec3 n = groundNormal(ground, slices.cellSize);
-    return -n.xz / max(n.y, 0.05);
-}
-
 bool onTerrain(vec2 ground) { return ground == clamp(ground, vec2(0.0), frame.terrainSize); }
 
 // The ground below, relative to the eye.
@@ -102,7 +95,8 @@ void main() {
     BladeLean p = leanOf(stands, vec2(0.0));
     float lean2 = min(dot(p.lean, p.lean), 0.9), upright = sqrt(1.0 - lean2);
     float height = max(slices.top * p.scale * sunk(press) * upright, 1e-4);
-    float sinks = way.y - dot(slopeHere(ground), way.xz);
+    vec2 slope = groundSlope(ground, slices.cellSize);
+    float sinks = riseOver(way, slope);
     float ahead = max((above - height) / max(-sinks, 1e-6), 0.0);
     if (above > height && !(sinks < 0.0)) discard;
     vec2 shear = p.lean / upright;
@@ -112,7 +106,7 @@ void main() {
     vec3 direction = vec3((way.xz - shear * sinks) / slices.cellSize, sinks);
 
     float level = max(length(way.xz), 1e-4);
-    vec3 toEye = -way;
+    vec3 toEye = -way, over = seenOver(toEye, slope);
     far = INSIDE ? slices.cellSize : far;
     Shell shell;
     shell.way = way, shell.seen = way;
@@ -124,8 +118,10 @@ void main() {
     shell.turned = CONSERVING ? verticalShare(toEye.y) * abs(way.xz) / level : vec2(1.0);
     float plain = p.lighter * darkened(far) * slices.reflectScale;
     float share = lodRamp(length(shell.start), slices.minGeom, slices.geomInv);
-    vec3 shown = plain * sharedGain(toEye, share) * sliceGain(toEye, p.free - p.clump, p.clump, press, false);
-    shell.gain = SUN ? shown * sunsHotSpot(toEye, press) * frame.sunLight * frame.sunIsUp : vec3(0.0);
+    vec3 shown = plain * sharedGain(over, share) * sliceGain(over, p.free - p.clump, p.clump, press, false);
+    shell.gain =
+        SUN ? shown * sunsHotSpot(toEye, press) * sunOverSlope(toEye, slope, 1.0) * frame.sunLight * frame.sunIsUp
+            : vec3(0.0);
     shell.ambient = shown * slices.ambient * skyShare(uv);
     shell.brighter = plain * laidGain(lookTap(toEye), press);
 

@@ -105,12 +105,14 @@ void main() {
         vec2(lodRamp(far, slices.minGeom, slices.geomInv), (1.0 - lodRamp(far, slices.minBTF, slices.btfInv)) * turned);
 
     float plain = p.lighter * darkened(far) * slices.reflectScale;
-    vec3 toEye = -foot / far,
-         shown = plain * sharedGain(toEye, weights.x) * sliceGain(toEye, p.free - p.clump, p.clump, press, false);
+    vec2 slope = groundSlope(ground, slices.cellSize);
+    vec3 toEye = -foot / far, over = seenOver(toEye, slope),
+         shown = plain * sharedGain(over, weights.x) * sliceGain(over, p.free - p.clump, p.clump, press, false);
     brighter = plain * laidGain(lookTap(toEye), press);
     axes = vec4(side > 0.0 ? 1.0 : -1.0, mirror, float(axis));
     images = sunImages(levelSun(), axis, axes.x, mirror);
-    gain = SUN ? shown * sunsHotSpot(toEye, press) * frame.sunLight * frame.sunIsUp : vec3(0.0);
+    gain = SUN ? shown * sunsHotSpot(toEye, press) * sunOverSlope(toEye, slope, 1.0) * frame.sunLight * frame.sunIsUp
+               : vec3(0.0);
     ambient = shown * slices.ambient * skyShare(uv);
     float hazed = hazeShare(length(position));
     haze = vec4(hazeColor(foot) * hazed, 1.0 - hazed);

@@ -56,7 +56,7 @@ void look(uint vertex, TessBlade t, BladeLight l, vec3 fromRoot, vec3 strip) {
     words[w + 5u] = packHalf2x16(sunned.zw);
     words[w + 6u] = packSnorm4x8(vec4(l.turned.xy, 0.0, 0.0)) & 0xFFFFu |
                     packHalf2x16(vec2(0.0, min(l.turned.z, kBrightest))) & 0xFFFF0000u;
-    words[w + 7u] = packHalf2x16(maskOf(t, fromRoot));
+    words[w + 7u] = packHalf2x16(t.plain ? l.maskAt : maskOf(t, fromRoot));
 }
 
 // Whether a span of the picture, in pixels times samples, holds the middle of a row or column of samples. Samples of
@@ -91,12 +91,15 @@ bool coversTriangle(vec2 a, vec2 b, vec2 c, float margin) {
 // Whether any sample of the picture may lie within the blade: its box on screen, widened by half its width, holds a row
 // and a column of samples, and a plain triangle holds one itself.
 bool covers(TessBlade t) {
-    vec4 root = frame.viewProj * vec4(t.root, 1.0), tip = frame.viewProj * vec4(t.root + t.pose.tip, 1.0);
+    PlainBlade p = plainBlade(t.pose, t.width);
+    vec3 foot = t.plain ? p.base : middleOfRow(t, 0.0), end = t.plain ? p.apex : middleOfRow(t, 1.0);
+    vec4 root = frame.viewProj * vec4(t.root + foot, 1.0), tip = frame.viewProj * vec4(t.root + end, 1.0);
     vec4 control = t.plain ? root : frame.viewProj * vec4(t.root + t.pose.control, 1.0);
+    float width = t.plain ? p.width : t.width;
     float nearest = min(min(root.w, tip.w), control.w);
     if (!(nearest > tess.near)) return true;
     vec2 a = root.xy / root.w, b = tip.xy / tip.w, c = control.xy / control.w;
-    float margin = 0.5 * t.width * tess.pixelsPerMetre / nearest + kSnap;
+    float margin = 0.5 * width * tess.pixelsPerMetre / nearest + kSnap;
     vec2 low = (min(min(a, b), c) * 0.5 + 0.5) * frame.pixels - margin,
          high = (max(max(a, b), c) * 0.5 + 0.5) * frame.pixels + margin;
     if (any(lessThan(high, vec2(0.0))) || any(greaterThan(low, frame.pixels))) return false;
@@ -104,7 +107,7 @@ bool covers(TessBlade t) {
     if (!samplesAreRegular(n)) return true;
     if (!holdsSample(n * low.x, n * high.x) || !holdsSample(n * low.y, n * high.y)) return false;
     if (!t.plain) return true;
-    vec4 aside = frame.viewProj * vec4(vec3(-t.pose.facing.y, 0.0, t.pose.facing.x) * (0.5 * t.width), 0.0);
+    vec4 aside = frame.viewProj * vec4(vec3(-t.pose.facing.y, 0.0, t.pose.facing.x) * (0.5 * width), 0.0);
     vec4 one = root - aside, other = root + aside;
     if (!(min(one.w, other.w) > tess.near)) return true;
     vec2 size = 0.5 * n * frame.pixels;
@@ -112,35 +115,30 @@ bool covers(TessBlade t) {
                           n * kSnap);
 }
 
-// middle: relative to the root.
-BladeLight rowLight(TessBlade t, float v, out vec3 middle) {
-    BladeFrame f = bladeFrameFacing(t.pose.control, t.pose.tip, t.pose.facing, v);
-    vec3 shown;
-    middle = f.position;
-    return lightPoint(t, middle, f.normal, v, shown);
-}
 void writeVertex(uint vertex, TessBlade t, BladeLight l, vec3 fromRoot, vec3 strip) {
     place(vertex, frame.viewProj * vec4(t.root + fromRoot, 1.0));
     look(vertex, t, l, fromRoot, strip);
 }
 
-// Three vertices: both ends of the root, and the tip.
+// Three vertices: both ends of the base, and the apex.
 void writeTriangle(TessBlade t, uint vertex) {
-    vec3 middle, end = vec3(-t.pose.facing.y, 0.0, t.pose.facing.x) * (0.5 * t.width);
-    BladeLight root = rowLight(t, 0.0, middle);
-    writeVertex(vertex, t, root, -end, vec3(0.0, 0.0, t.opacity));
-    writeVertex(vertex + 1u, t, root, end, vec3(0.0, 0.0, t.opacity));
-    BladeLight tip = rowLight(t, 1.0, middle);
-    writeVertex(vertex + 2u, t, tip, middle, vec3(0.0, 1.0, t.opacity));
+    PlainBlade p = plainBlade(t.pose, t.width);
+    vec3 end = vec3(-t.pose.facing.y, 0.0, t.pose.facing.x) * (0.5 * p.width);
+    BladeLight base = lightRow(t, 0.0);
+    writeVertex(vertex, t, base, p.base - end, vec3(0.0, 0.0, t.opacity));
+    writeVertex(vertex + 1u, t, base, p.base + end, vec3(0.0, 0.0, t.opacity));
+    writeVertex(vertex + 2u, t, lightRow(t, 1.0), p.apex, vec3(0.0, 1.0, t.opacity));
 }
 
 void writeStrip(TessBlade t, uint vertex, int rows) {
-    vec3 side = vec3(-t.pose.facing.y, 0.0, t.pose.facing.x) * (0.5 * t.width);
+    vec3 side = vec3(-t.pose.facing.y, 0.0, t.pose.facing.x);
+    PlainBlade p = plainBlade(t.pose, t.width);
     for (int row = 0; row <= rows; ++row) {
         uint at = vertex + 2u * uint(row);
         float v = float(min(row, t.level)) / float(t.level);
-        vec3 middle, end = t.plain ? side * (1.0 - v) : side;
-        BladeLight l = rowLight(t, v, middle);
+        vec3 middle = t.plain ? mix(p.base, p.apex, v) : middleOfRow(t, v),
+             end = side * (0.5 * (t.plain ? p.width * (1.0 - v) : t.width));
+        BladeLight l = lightRow(t, v);
         writeVertex(at, t, l, middle - end, vec3(0.0, v, t.opacity));
         writeVertex(at + 1u, t, l, middle + end, vec3(1.0, v, t.opacity));
     }

@@ -2,10 +2,14 @@
 layout(vertices = 1) out;
 
 in vec4 bladeRoot[], bladeControl[], bladeTip[], bladeFacing[], bladePaint[];
-in vec3 bladeUpright[], bladeControlBefore[], bladeTipBefore[];
+in vec4 bladeUpright[];
+in vec3 bladeControlBefore[], bladeTipBefore[];
+in vec2 bladeSlope[];
 flat in uint bladeGrain[];
 out vec4 stemRoot[], stemControl[], stemTip[], stemFacing[], stemPaint[];
-out vec3 stemUpright[], stemControlBefore[], stemTipBefore[];
+out vec4 stemUpright[];
+out vec3 stemControlBefore[], stemTipBefore[];
+out vec2 stemSlope[];
 flat out uint stemGrain[];
 
 void main() {
@@ -15,6 +19,7 @@ void main() {
     stemFacing[gl_InvocationID] = bladeFacing[gl_InvocationID];
     stemPaint[gl_InvocationID] = bladePaint[gl_InvocationID];
     stemUpright[gl_InvocationID] = bladeUpright[gl_InvocationID];
+    stemSlope[gl_InvocationID] = bladeSlope[gl_InvocationID];
     stemControlBefore[gl_InvocationID] = bladeControlBefore[gl_InvocationID];
     stemTipBefore[gl_InvocationID] = bladeTipBefore[gl_InvocationID];
     stemGrain[gl_InvocationID] = bladeGrain[gl_InvocationID];

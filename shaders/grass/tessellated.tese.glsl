@@ -10,7 +10,9 @@
 layout(quads, equal_spacing, ccw) in;
 
 in vec4 stemRoot[], stemControl[], stemTip[], stemFacing[], stemPaint[];
-in vec3 stemUpright[], stemControlBefore[], stemTipBefore[];
+in vec4 stemUpright[];
+in vec3 stemControlBefore[], stemTipBefore[];
+in vec2 stemSlope[];
 flat in uint stemGrain[];
 centroid out vec4 lit;  // as in geometry.vert.glsl
 centroid out vec4 sunned;
@@ -25,7 +27,9 @@ TessBlade patchBlade() {
     t.pose.control = stemControl[0].xyz;
     t.pose.tip = stemTip[0].xyz;
     t.pose.facing = stemFacing[0].xy;
-    t.pose.upright = stemUpright[0];
+    t.pose.upright = stemUpright[0].xyz;
+    t.high = stemUpright[0].w;
+    t.slope = stemSlope[0];
     if (TEMPORAL) t.before.control = stemControlBefore[0], t.before.tip = stemTipBefore[0];
     t.root = stemRoot[0].xyz;
     t.uv = stemPaint[0].zw;
@@ -44,16 +48,23 @@ void main() {
     TessBlade t = patchBlade();
     float u = gl_TessCoord.x > 0.25 ? 1.0 : 0.0,
           v = gl_TessCoord.y;  // stages put a vertex between the two of a row: there it draws nothing
-    vec3 side = vec3(-t.pose.facing.y, 0.0, t.pose.facing.x), end = side * (0.5 * t.width);
-    SplineFrame f = splineFrame(-end, t.pose.control - end, t.pose.tip - end, end, t.pose.control + end,
-                                t.pose.tip + end, side, t.plain ? mix(u, 0.5, v) : u, v);
-    vec3 middle = bladePosition(t.pose.control, t.pose.tip, v), across = t.plain ? end * (1.0 - v) : end, shown;
-    BladeLight light = lightPoint(t, middle, f.normal, v, shown);
+    vec3 side = vec3(-t.pose.facing.y, 0.0, t.pose.facing.x), end = side * (0.5 * t.width), at;
+    BladeLight light = lightRow(t, v);
+    maskAt = light.maskAt;
+    if (t.plain) {
+        PlainBlade p = plainBlade(t.pose, t.width);
+        at = mix(p.base, p.apex, v) + side * ((u - 0.5) * (1.0 - v) * p.width);
+    } else {
+        at = t.level == 1 ? middleOfRow(t, v) + end * (2.0 * u - 1.0)
+                          : splineFrame(-end, t.pose.control - end, t.pose.tip - end, end, t.pose.control + end,
+                                        t.pose.tip + end, side, u, v)
+                                .position;
+        maskAt = maskOf(t, at);
+    }
     lit = light.lit, sunned = light.sunned, turned = light.turned;
-    maskAt = maskOf(t, middle + (2.0 * u - 1.0) * across);
     strip = vec3(t.plain ? -1.0 : u, v, t.opacity);
     grain = t.grain;
     moved = movedAt(t, v);
-    cutAtWater(t.root.y + f.position.y);
-    gl_Position = frame.viewProj * vec4(t.root + f.position, 1.0);
+    cutAtWater(t.root.y + at.y);
+    gl_Position = frame.viewProj * vec4(t.root + at, 1.0);
 }

@@ -8,7 +8,8 @@ out vec4 bladeRoot;     // w: level
 out vec4 bladeControl;  // w: width
 out vec4 bladeTip;      // w: opacity
 out vec4 bladeFacing;   // z: 1 if it is a plain triangle; w: density
-out vec3 bladeUpright;  // of its pose
+out vec4 bladeUpright;  // of its pose; w: share of its height
+out vec2 bladeSlope;    // of the ground
 out vec3 bladeControlBefore, bladeTipBefore;
 out vec4 bladePaint;  // hue, lightness; where on the terrain
 flat out uint bladeGrain;
@@ -18,7 +19,9 @@ void main() {
     TessCell c = cells[cellOf(slot)];
     TessBlade t = tessBlade(c, c.first + slot - c.slot);
     bladeRoot = bladeControl = bladeTip = bladeFacing = bladePaint = vec4(0.0);
-    bladeUpright = bladeControlBefore = bladeTipBefore = vec3(0.0);
+    bladeControlBefore = bladeTipBefore = vec3(0.0);
+    bladeUpright = vec4(0.0);
+    bladeSlope = vec2(0.0);
     bladeGrain = 0u;
     gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
     if (t.level == 0) return;
@@ -26,7 +29,8 @@ void main() {
     bladeControl = vec4(t.pose.control, t.width);
     bladeTip = vec4(t.pose.tip, t.opacity);
     bladeFacing = vec4(t.pose.facing, t.plain ? 1.0 : 0.0, t.density);
-    bladeUpright = t.pose.upright;
+    bladeUpright = vec4(t.pose.upright, t.high);
+    bladeSlope = t.slope;
     if (TEMPORAL) bladeControlBefore = t.before.control, bladeTipBefore = t.before.tip;
     bladePaint = vec4(t.hue, t.lightness, t.uv);
     bladeGrain = t.grain;

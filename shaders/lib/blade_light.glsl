@@ -15,6 +15,7 @@
 #include "lib/traced.glsl"
 #include "numerics/basics.h"
 #include "numerics/population.h"
+#include "numerics/slope.h"
 
 // Reflectance; scattered: by how much it is brighter than that, where paint changes what goes from blade to blade.
 struct BladeColor {
@@ -37,13 +38,15 @@ struct Lit {
     vec3 face, normal, toEye, position, fromRoot;
     vec2 facing;
     vec3 upright;  // of its pose
+    vec2 slope;    // of the ground
     float open, density;
     float stands;  // share of what grows there that is not pressed down (lightBlade)
 };
 // Where in the shadow mask it is, for a light.
-vec2 maskFor(vec3 fromRoot, vec2 facing, vec3 upright, vec3 towards) {
-    return maskPoint(stoodUp(fromRoot, upright), facing, unitOr(stoodUp(towards, upright), 1e-6, towards),
-                     species.maskRadius, species.maskHeight)
+vec2 maskFor(vec3 fromRoot, vec2 facing, vec3 upright, vec2 slope, vec3 towards) {
+    vec3 way = overLevel(stoodUp(towards, upright), slope);
+    return maskPoint(stoodUp(fromRoot, upright), facing, unitOr(way, 1e-6, towards), species.maskRadius,
+                     species.maskHeight)
         .xy;
 }
 // As leafLight takes them.
@@ -62,27 +65,46 @@ float standing(Lit p, vec2 uv) {
     float grown = (GRASS_DENSITY ? densityOver(uv, 0.0) : 1.0) * bladeShare(uv);
     return clamp(p.density / max(grown, 1e-3), 0.0, 1.0);
 }
+// Towards the eye, over the ground as if it were level: unit.
+vec3 overGround(Lit p) { return unitOr(overLevel(p.toEye, p.slope), 1e-6, p.toEye); }
 // What other species leave of light from there, or of the sky's (0). Those are pressed down as it is, and what lies
 // stands in no light.
-float othersLeft(Lit p, vec2 uv, vec3 towards) { return mix(1.0, othersLeave(uv, highAmong(p), towards), p.stands); }
+float othersLeft(Lit p, vec2 uv, vec3 towards) {
+    return mix(1.0, othersLight(uv, highAmong(p), towards, riseOver(towards, p.slope)).leave, p.stands);
+}
 // The density of what stands between a point of a blade and a light, half-way to where its ray leaves the mask's
 // cylinder or comes out above.
 float densityTowards(Lit p, vec2 uv, vec3 towards) {
     if (!GRASS_DENSITY) return p.density;
     float level = max(length(towards.xz), 1e-4), free = max(species.maskHeight - highAmong(p), 0.0),
-          across = min(species.maskRadius, 0.5 * free * level / max(towards.y, 1e-4));
+          across = min(species.maskRadius, 0.5 * free * level / max(riseOver(towards, p.slope), 1e-4));
     vec2 at = uv + towards.xz * (across / level) * frame.mapShare;
     return densityOver(at, across) * bladeShare(at) * p.stands;
 }
 // Where its height lies in the mask's.
 float shareAmong(Lit p) { return highAmong(p) / max(species.maskHeight, 1e-4); }
+// What a light sends from blade to blade there, of its own species and the others, and what these leave of it, which
+// would light what faces it by 1.
+OthersLight sunAmong(Lit p, vec2 uv, float density) {
+    vec3 sun = frame.sunDirection, over = overLevel(sun, p.slope);
+    OthersLight others = othersLight(uv, highAmong(p), sun, over.y);
+    others.fill *= p.stands;
+    others.area *= p.stands;
+    others.leave = mix(1.0, others.leave, p.stands);
+    float own = species.area.x * density, all = own + others.area, seen = (1.0 - exp(-all)) / max(all, 1e-3),
+          past = exp(-density * depthAbove(species.area, shareAbove(species.maskHeight, highAmong(p)), sun, over.y));
+    vec3 fill = directFill(over, shareAmong(p)) * (own / (1.0 - exp(-max(species.area.x, 1e-3)))) * others.leave;
+    others.fill = seen * (fill + others.fill * (past * length(over)));
+    return others;
+}
 // What a casting lamp's light sends from there, as shares of the lamp's: past the neighbours, and from blade to blade.
 vec3 lampSends(Lit p, vec2 uv, LampHere l) {
     float density = densityTowards(p, uv, l.direction);
-    vec3 through = maskLightAtVertex(maskFor(p.fromRoot, p.facing, p.upright, l.direction), density) *
-                   tracedLamp(p.toEye, l.direction, density);
+    vec3 over = overLevel(l.direction, p.slope);
+    vec3 through = maskLightAtVertex(maskFor(p.fromRoot, p.facing, p.upright, p.slope, l.direction), density) *
+                   tracedDirect(overGround(p), over, density);
     vec3 sent = leafLight(p.color.reflectance, bladeGloss(), p.normal, p.toEye, l.direction, l.light) * through +
-                p.color.reflectance * l.light * lampFill(l.direction, shareAmong(p), density);
+                p.color.reflectance * l.light * directFill(over, shareAmong(p)) * tracedShare(density, species.area.x);
     return sent * othersLeft(p, uv, l.direction);
 }
 // Lamps that cast shadows are shaded here, by the vertex: unlike the sun there may be many.
@@ -119,11 +141,12 @@ void sunBlade(Lit p, vec2 uv, float share, inout BladeLight o) {
         return;
     }
     if (frame.sunCasts > 0.0) {
-        left *= othersLeft(p, uv, frame.sunDirection);
         p.density = densityTowards(p, uv, frame.sunDirection);
-        o.lit.rgb += p.color.reflectance * frame.sunLight * left * sunFill(shareAmong(p), p.density);
-        o.maskAt = maskFor(p.fromRoot, p.facing, p.upright, frame.sunDirection);
-        left *= tracedSun(p.toEye, p.density);
+        OthersLight among = sunAmong(p, uv, p.density);
+        o.lit.rgb += p.color.reflectance * frame.sunLight * left * among.fill;
+        left *= among.leave;
+        o.maskAt = maskFor(p.fromRoot, p.facing, p.upright, p.slope, frame.sunDirection);
+        left *= tracedDirect(overGround(p), overLevel(frame.sunDirection, p.slope), p.density);
     } else {
         left *= p.open;
     }
@@ -139,10 +162,18 @@ BladeLight lightBlade(Lit p, vec2 uv) {
     p.fromRoot = inFullHeight(p.fromRoot, uv);
     if (GRASS_HEIGHTS) p.density *= bladeShare(uv);
     p.stands = standing(p, uv);
-    vec3 around = p.color.reflectance * p.color.scattered * tracedAmbient(p.normal, p.toEye);
+    vec3 around = p.color.reflectance * p.color.scattered * tracedAmbient(p.normal, overGround(p));
     float sky = skyShare(uv) * p.open * (BLADE_SHADOWS ? othersLeft(p, uv, vec3(0.0)) : 1.0);
     o.lit = vec4(around * sky + lampsOn(p, uv), share);
     sunBlade(p, uv, share, o);
     if (FOG || ATMOSPHERE) o.lit.rgb = mix(o.lit.rgb, hazeColor(p.position), share);
     return o;
+}
+// The light at row v of a blade that is drawn straight (lib/straight.glsl), from that of species.lightRow and of the
+// tip's row: what lies between its ends has the mean of that along the blade.
+BladeLight straightLight(BladeLight low, BladeLight tip, float v) {
+    float share = (v - species.lightRow) / (1.0 - species.lightRow);
+    vec3 turned = mix(low.turned, tip.turned, share);
+    return BladeLight(max(mix(low.lit, tip.lit, share), vec4(0.0)), max(mix(low.sunned, tip.sunned, share), vec4(0.0)),
+                      vec3(clamp(turned.xy, -1.0, 1.0), max(turned.z, 0.0)), mix(low.maskAt, tip.maskAt, share));
 }

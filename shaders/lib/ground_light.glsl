@@ -5,7 +5,10 @@
 #include "lib/lamps.glsl"
 #include "lib/light.glsl"
 #include "lib/shadow.glsl"
+#include "numerics/slope.h"
 
+// The slope of ground of this upward normal, as lib/heights.glsl has it.
+vec2 slopeOf(vec3 n) { return -n.xz / max(n.y, 0.05); }
 // Share of light that a species leaves to soil where it has this density and share of its height; shade: at 1 and 1.
 // What takes light is leaves' area, and that is in proportion to the height.
 vec3 soilLeft(vec3 shade, float density, float tall) {
@@ -29,11 +32,18 @@ vec3 lampShades(vec2 area) {
     vec3 across = area.x * sqrt(vec3(1.0) - kLampSines * kLampSines), above = area.y * kLampSines;
     return exp(-sqrt(across * across + above * above) / kLampSines);
 }
-// indirect: shares of the sky's light that is left, and of the sun's that comes from blade to blade (SpeciesInField);
-// before: density of what stands before the sun.
-SoilLeft soilLeft(float shade, vec2 area, vec2 indirect, float density, float before, float tall) {
-    return SoilLeft(soilLeft(shade, before, tall), LAMPS ? soilLeft(lampShades(area), density, tall) : vec3(1.0),
-                    soilLeft(indirect.x, density, tall), indirect.y * density * (GRASS_HEIGHTS ? tall : 1.0));
+// Likewise for the sun over ground of this slope.
+float sunShade(vec2 area, vec2 slope) {
+    return exp(-leafDepth(area, frame.sunDirection, max(riseOver(frame.sunDirection, slope), kLeastRise)));
+}
+// indirect: shares of the sky's light that is left, and of the sun's that comes from blade to blade (SpeciesInField),
+// which is as much more as more of its light comes in; before: density of what stands before the sun.
+SoilLeft soilLeft(vec2 area, vec2 indirect, vec2 slope, float density, float before, float tall) {
+    vec3 sun = frame.sunDirection;
+    float more = max(riseOver(sun, slope), 0.0) / max(sun.y, kLeastRise);
+    return SoilLeft(SUN ? soilLeft(sunShade(area, slope), before, tall) : 1.0,
+                    LAMPS ? soilLeft(lampShades(area), density, tall) : vec3(1.0), soilLeft(indirect.x, density, tall),
+                    indirect.y * more * density * (GRASS_HEIGHTS ? tall : 1.0));
 }
 float lampLeft(SoilLeft left, float sine) {
     vec2 steps = clamp((sine - kLampSines.xy) / (kLampSines.yz - kLampSines.xy), 0.0, 1.0);
@@ -63,7 +73,7 @@ SoilShares soilShares(SoilLeft shades, float near, float sky) {
 // known to lie below its array is an error to some compilers, even where it is never reached.
 vec3 sunOnSoil(vec3 at, vec3 n, SoilLeft left) { return sunCast(at, n) * left.sun; }
 vec3 lampOnSoil(int i, vec3 at, vec3 n, SoilLeft left) {
-    return lampCast(i, at, n) * lampLeft(left, lampAt(i, at).direction.y);
+    return lampCast(i, at, n) * lampLeft(left, normalize(overLevel(lampAt(i, at).direction, slopeOf(n))).y);
 }
 
 vec3 soilLight(vec3 at, vec3 n, SoilShares s) {

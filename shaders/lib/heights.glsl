@@ -36,3 +36,9 @@ vec3 groundNormal(vec2 place, float step) {
     float dz = groundHeight(place + vec2(0.0, d.y)) - groundHeight(place - vec2(0.0, d.y));
     return normalize(vec3(-dx / (2.0 * d.x), 1.0, -dz / (2.0 * d.y)));
 }
+
+// Rise of the ground a metre along x and z, over `step` metres to either side; 0 on flat ground.
+vec2 groundSlope(vec2 place, float step) {
+    vec3 n = groundNormal(place, step);
+    return -n.xz / max(n.y, 0.05);
+}

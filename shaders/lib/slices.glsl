@@ -1,6 +1,6 @@
 // What vertical and horizontal slices share: their images, light from tabulated directions, gains by view.
 // Needs: const bool GRASS_DENSITY, GRASS_VEGETATION, GRASS_TRACED, FORCES, FORCE_MAP, TRANSLUCENCY, CONSERVING,
-// LIGHT_COSINE.
+// LIGHT_COSINE, TERRAIN_HEIGHTS, SUN.
 #include "lib/field.glsl"
 #include "lib/density.glsl"
 #include "lib/frame.glsl"
@@ -8,6 +8,7 @@
 #include "lib/lamps.glsl"
 #include "numerics/leaf.h"
 #include "numerics/opacity.h"
+#include "numerics/slope.h"
 #include "numerics/sowing.h"
 #include "numerics/traced.h"
 #include "numerics/weights.h"
@@ -126,6 +127,18 @@ vec2 lampGain(vec3 toEye, vec3 towards) {
          at = vec3(0.5 - 0.5 * clamp(cosine, -1.0, 1.0), lookHeight(toEye), lookHeight(towards));
     float share = max(dot(slices.lampHotSpot, tracedRise(towards.y)), 0.0);
     return textureLod(lampGains, (at * (size - 1.0) + 0.5) / size, 0.0).rg * hotSpot(vec3(share), toEye, towards).x;
+}
+
+// The direction towards the eye over ground of this slope: a hillside that faces the eye shows its grass as from above.
+vec3 seenOver(vec3 toEye, vec2 slope) {
+    if (!TERRAIN_HEIGHTS) return toEye;
+    vec3 over = overLevel(toEye, slope);
+    return normalize(vec3(over.x, max(over.y, 0.0), over.z));
+}
+// How many times as bright the sun is on grass for the slope of its ground.
+float sunOverSlope(vec3 toEye, vec2 slope, float density) {
+    if (!TERRAIN_HEIGHTS || !SUN) return 1.0;
+    return slopeBrightens(slices.area * density, toEye, frame.sunDirection, slope);
 }
 
 // The chance of a cell (numerics/sowing.h), and the opacity of what a slice stores there (texelOpacity).

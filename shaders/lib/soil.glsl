@@ -24,8 +24,8 @@ layout(binding = TEX_SOIL) uniform sampler2D soilMap[MAX_SOIL_MAPS];
          ? density                                                                                               \
          : textureLod(                                                                                           \
                soilMap[max(map, 0)],                                                                             \
-               tiled(uv + sunStep(soilGrowth.species[number].height), soilGrowth.species[number].tiling),        \
-               soilLevel(soilGrowth.species[number].height, textureSize(soilMap[max(map, 0)], 0),                \
+               tiled(uv + sunStep(soilGrowth.species[number].height, slope), soilGrowth.species[number].tiling), \
+               soilLevel(soilGrowth.species[number].height, slope, textureSize(soilMap[max(map, 0)], 0),         \
                          textureQueryLod(soilMap[max(map, 0)], tiled(uv, soilGrowth.species[number].tiling)).y)) \
                .r)
 
@@ -33,21 +33,25 @@ layout(binding = TEX_SOIL) uniform sampler2D soilMap[MAX_SOIL_MAPS];
     left = kAllLeft;                                                              \
     tall = SOIL_TEXEL(heights, tiled(uv, soilGrowth.fields[field].heightTiling)); \
     sky = min(sky, SOIL_FINEST(occlusion, uv * soilGrowth.fields[field].occlusionTiling));
-#define SOIL_SPECIES(number, map)                                                                               \
-    density = SOIL_TEXEL(map, tiled(uv, soilGrowth.species[number].tiling));                                    \
-    left = times(left, soilLeft(soilGrowth.species[number].shade, soilGrowth.species[number].area,              \
-                                vec2(soilGrowth.species[number].skyLeft, soilGrowth.species[number].scattered), \
-                                density, SOIL_TOWARDS_SUN(map, number), tall));                                 \
+#define SOIL_SPECIES(number, map)                                                                                      \
+    density = SOIL_TEXEL(map, tiled(uv, soilGrowth.species[number].tiling));                                           \
+    left = times(left, soilLeft(soilGrowth.species[number].area,                                                       \
+                                vec2(soilGrowth.species[number].skyLeft, soilGrowth.species[number].scattered), slope, \
+                                density, SOIL_TOWARDS_SUN(map, number), tall));                                        \
     grown += density;
 #define SOIL_SHARE(field) all = soilUnderBoth(all, soilOf(soilGrowth.fields[field], left, distance));
 
 // Half-way to where the sun's light comes in over grass so high (m), level: as maps have places; and metres.
-float sunReach(float height) { return 0.5 * height * length(frame.sunDirection.xz) / max(frame.sunDirection.y, 0.1); }
-vec2 sunStep(float height) {
-    vec2 way = frame.sunDirection.xz;
-    return way * (sunReach(height) / max(length(way), 1e-4)) * frame.mapShare;
+float sunReach(float height, vec2 slope) {
+    return 0.5 * height * length(frame.sunDirection.xz) / max(riseOver(frame.sunDirection, slope), 0.1);
 }
-float soilLevel(float height, ivec2 size, float pixel) { return max(levelOver(sunReach(height), size), pixel); }
+vec2 sunStep(float height, vec2 slope) {
+    vec2 way = frame.sunDirection.xz;
+    return way * (sunReach(height, slope) / max(length(way), 1e-4)) * frame.mapShare;
+}
+float soilLevel(float height, vec2 slope, ivec2 size, float pixel) {
+    return max(levelOver(sunReach(height, slope), size), pixel);
+}
 
 SoilShares soilOf(SoilField f, SoilLeft left, float distance) {
     return soilShares(left, 1.0 - lodRamp(distance, f.shadeFrom, f.shadeInv), 1.0);
@@ -58,7 +62,7 @@ SoilShares soilUnderBoth(SoilShares a, SoilShares b) {
 }
 
 // grown: how dense all species are together. The sky that the ground sees is the least that any field's map says.
-SoilShares soilUnder(vec2 uv, float distance, out float grown) {
+SoilShares soilUnder(vec2 uv, vec2 slope, float distance, out float grown) {
     SoilLeft left = kAllLeft;
     float tall = 1.0, sky = 1.0, density = 0.0;
     grown = 0.0;

@@ -3,6 +3,7 @@
 #include "lib/blade.glsl"
 #include "lib/blade_light.glsl"
 #include "lib/frame.glsl"
+#include "lib/straight.glsl"
 #include "numerics/basics.h"
 #include "numerics/blade.h"
 #include "numerics/opacity.h"
@@ -19,7 +20,9 @@ struct TessBlade {
     BladePose before;  // in the frame before; TEMPORAL
     vec3 root;         // relative to the eye
     vec2 uv;           // on maps (mapPlace)
+    vec2 slope;        // of the ground
     float width;       // m
+    float high;        // share of its height that the distance leaves
     float opacity, density, hue, lightness;
     uint grain;
     int level;   // quads along it; 0: it is not drawn
@@ -42,28 +45,28 @@ TessBlade tessBlade(TessCell c, uint index) {
     Stand s = standAt(CellInstance(c.cell, c.corner, c.mirror, c.shift, 0.0, 0.0), b, 0.0, 0.0);
     if (!exists(s)) return t;
     float distance = length(s.root), kept = densityKept(1.0, distance, tess.thinning);
-    float share = min(geometryOpacity(s.density * kept, 0.0, s.threshold, species.fade) / s.opacity, 1.0),
-          high = heightKept(distance, tess.maxDistance, tess.lowerInv);
-    if (!(share * high > 0.0)) return t;
+    float share = min(geometryOpacity(s.density * kept, 0.0, s.threshold, species.fade) / s.opacity, 1.0);
+    t.high = heightKept(distance, tess.maxDistance, tess.lowerInv);
+    if (!(share * t.high > 0.0)) return t;
     if (TEMPORAL) t.before = poseBefore(b, s);
     t.pose = poseHere(b, s, t.lightness);
-    t.pose.control *= high;
-    t.pose.tip *= high;
+    t.pose.control *= t.high;
+    t.pose.tip *= t.high;
     if (TEMPORAL) {
-        t.before.control *= high;
-        t.before.tip *= high;
+        t.before.control *= t.high;
+        t.before.tip *= t.high;
     }
     t.lightness *= b.lightness;
     t.hue = b.hue;
     t.root = s.root;
     t.uv = s.uv;
+    t.slope = groundSlope(s.ground, species.maskRadius);
     t.density = s.density;
     t.opacity = s.opacity;
     t.grain = floatBitsToUint(b.dither);
     t.width = share * b.width * frame.widening * min(1.0 / max(kept, 0.01), tess.widest);
     t.level = min(levelOf(t.pose, s.root), max(int(c.level), 1));
     t.plain = t.level == 1 && t.width * tess.pixelsPerMetre < tess.plainPixels * distance;
-    if (t.plain) t.width *= tess.plainWidth;
     return t;
 }
 
@@ -73,20 +76,38 @@ vec3 movedAt(TessBlade t, float v) {
     return bladePosition(t.pose.control, t.pose.tip, v) - bladePosition(t.before.control, t.before.tip, v);
 }
 
+// A point of it as it would be if the distance lowered neither it nor those about it: they stand as close as ever.
+vec3 unlowered(TessBlade t, vec3 fromRoot) { return fromRoot / max(t.high, 0.02); }
+
 // Where in the shadow mask a vertex of it is.
 vec2 maskOf(TessBlade t, vec3 fromRoot) {
     if (!(BLADE_SHADOWS && CASTING_LIGHTS && frame.sunCasts > 0.0)) return vec2(0.0);
-    return maskFor(inFullHeight(fromRoot, t.uv), t.pose.facing, t.pose.upright, frame.sunDirection);
+    return maskFor(inFullHeight(unlowered(t, fromRoot), t.uv), t.pose.facing, t.pose.upright, t.slope,
+                   frame.sunDirection);
 }
 
-// Light on the middle of a row of it; normal: either of the two. shown: the normal that is seen.
-BladeLight lightPoint(TessBlade t, vec3 fromRoot, vec3 normal, float v, out vec3 shown) {
-    vec3 position = t.root + fromRoot;
-    shown = dot(normal, position) > 0.0 ? -normal : normal;
-    BladeLight l = lightBlade(Lit(bladeColor(t.hue, t.lightness, v, middleLackedEvenly(t.level), t.uv), normal, shown,
-                                  unitOr(-position, 1e-6, shown), position, fromRoot, t.pose.facing, t.pose.upright,
-                                  mix(species.rootOpen, 1.0, v), t.density, 1.0),
-                              t.uv);
+// Light on the middle of a row of it. shown: the normal that is seen.
+BladeLight lightPoint(TessBlade t, float v, out vec3 shown) {
+    BladeFrame f = bladeFrameFacing(t.pose.control, t.pose.tip, t.pose.facing, v);
+    vec3 position = t.root + f.position;
+    shown = dot(f.normal, position) > 0.0 ? -f.normal : f.normal;
+    float lacked = t.level > 1 ? middleLackedEvenly(t.level) : 0.0;
+    return lightBlade(Lit(bladeColor(t.hue, t.lightness, v, lacked, t.uv), f.normal, shown,
+                          unitOr(-position, 1e-6, shown), position, unlowered(t, f.position), t.pose.facing,
+                          t.pose.upright, t.slope, mix(species.rootOpen, 1.0, v), t.density, 1.0),
+                      t.uv);
+}
+// Light for a row of its vertices.
+BladeLight lightRow(TessBlade t, float v) {
+    vec3 shown;
+    BladeLight l = lightPoint(t, t.level > 1 ? v : 1.0, shown);
+    if (t.level <= 1) l = straightLight(lightPoint(t, species.lightRow, shown), l, t.plain ? plainRow(v) : v);
     if (viewMode() == VIEW_NORMALS) l.lit.rgb = shown * 0.5 + 0.5;
     return l;
+}
+// Middle of a row of its vertices, relative to the root. Where blades have one quad even near the eye, that is all
+// there is of them.
+vec3 middleOfRow(TessBlade t, float v) {
+    if (t.level == 1 && tess.mostLevel > 1.0) return straightRow(t.pose, v);
+    return bladePosition(t.pose.control, t.pose.tip, v);
 }

@@ -6,9 +6,10 @@
 #include "lib/species.glsl"
 #include "numerics/traced.h"
 
-// Factor of a direct light from `towards` at a density, seen along toEye (both unit).
-vec3 tracedLamp(vec3 toEye, vec3 towards, float density) {
+// Factor of a direct light at a density. Both ways over level ground, that to the eye unit.
+vec3 tracedDirect(vec3 toEye, vec3 way, float density) {
     if (!GRASS_TRACED) return vec3(1.0);
+    vec3 towards = normalize(way);
     TracedTerms t = tracedTerms(toEye, towards);
     vec3 sum = vec3(0.0);
     float at = tracedLightAt(towards.y);
@@ -22,35 +23,20 @@ vec3 tracedLamp(vec3 toEye, vec3 towards, float density) {
     }
     return mix(vec3(1.0), max(sum, vec3(0.0)), tracedShare(density, species.area.x));
 }
-// The same of the sun, whose elevation is in the numbers already.
-vec3 tracedSun(vec3 toEye, float density) {
-    if (!GRASS_TRACED) return vec3(1.0);
-    TracedTerms t = tracedTerms(toEye, frame.sunDirection);
-    vec3 sum = species.tracedSun[6].rgb * t.near2 + species.tracedSun[7].rgb * t.glow;
-    for (int i = 0; i < 3; ++i)
-        sum += species.tracedSun[i].rgb * t.rise[i] + species.tracedSun[3 + i].rgb * t.across[i];
-    return mix(vec3(1.0), max(sum, vec3(0.0)), tracedShare(density, species.area.x));
-}
-// What comes from blade to blade of a light that lights what faces it by 1: on a blade of any direction, so high.
-// share: of the mask's height.
 vec3 fillAt(vec3 heights, int from) {
     return species.tracedFill[from].rgb * heights.x + species.tracedFill[from + 1].rgb * heights.y +
            species.tracedFill[from + 2].rgb * heights.z;
 }
-vec3 lampFill(vec3 towards, float share, float density) {
+// What comes from blade to blade of a light that lights what faces it by 1: on a blade of any direction, so high, in
+// full grass. way: over level ground; as long as it is there: so much more of the light comes in. share: of the mask's
+// height.
+vec3 directFill(vec3 way, float share) {
     if (!GRASS_TRACED) return vec3(0.0);
     vec3 heights = tracedHeights(share);
-    float at = tracedLightAt(towards.y);
+    float length_ = max(length(way), 1e-6), at = tracedLightAt(way.y / length_);
     int low = min(int(at), TRACED_LIGHTS - 2);
-    return mix(fillAt(heights, TRACED_HEIGHTS * low), fillAt(heights, TRACED_HEIGHTS * (low + 1)), at - float(low)) *
-           tracedShare(density, species.area.x);
-}
-vec3 sunFill(float share, float density) {
-    if (!GRASS_TRACED) return vec3(0.0);
-    vec3 heights = tracedHeights(share);
-    vec3 sum = vec3(0.0);
-    for (int i = 0; i < TRACED_HEIGHTS; ++i) sum += species.sunFill[i].rgb * heights[i];
-    return sum * tracedShare(density, species.area.x);
+    return length_ *
+           mix(fillAt(heights, TRACED_HEIGHTS * low), fillAt(heights, TRACED_HEIGHTS * (low + 1)), at - float(low));
 }
 // Light from above and below on a side of a blade that faces n, divided by pi. At any density: local light takes the
 // share of the sky for that of full grass everywhere.

@@ -30,6 +30,7 @@
 #include "numerics/spline.h"
 #include "numerics/rays.h"
 #include "numerics/shadow.h"
+#include "numerics/slope.h"
 #include "numerics/others.h"
 #include "numerics/tess.h"
 #include "numerics/traced.h"

@@ -4,15 +4,15 @@
 #ifndef __cplusplus
 #include "numerics/basics.h"
 #include "numerics/glsl.h"
+#include "numerics/slope.h"
 #endif
 
 // Share of a species' leaves of this mean height (m) that is above a point so high over the ground (m).
 FN real shareAbove(real height, real high) { return clamp(1.0f - high / max(height, kTiny), real(0.0), real(1.0)); }
 // Optical depth of the share of them above, at density 1. area: of its leaves, m2 a m2, towards a level view and
-// towards the zenith; towards: the light, unit; one that stands lower than 0.1 counts as that high.
-FN real depthAbove(vec2 area, real share, vec3 towards) {
-    real up = clamp(towards.y, real(0.1), real(1.0)), across2 = area.x * area.x * (1.0f - up * up);
-    return share * sqrt(across2 + area.y * area.y * up * up) / up;
+// towards the zenith; towards: the light, unit; rise: of it over the ground, of which less than 0.1 counts as that.
+FN real depthAbove(vec2 area, real share, vec3 towards, real rise) {
+    return share * leafDepth(area, towards, max(rise, real(0.1)));
 }
 // The same for all of the sky's light, of which all leaves leave so much. A point among none has all of it.
 FN real skyDepthAbove(real left, real share) { return -log(clamp(left, real(1e-6), real(1.0))) * share; }

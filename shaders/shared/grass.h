@@ -17,12 +17,10 @@ namespace sward {
 // Of one species, for shaders of all.
 struct STD140 SpeciesInField {
     float tiling;     // of its density map, as FieldGlobals has tilings
-    float shade;      // share of the sun's light left at the soil under full density
     float height;     // mean (m)
     float gusts;      // lean (m per m) of a full gust; 0 in a calm
     float skyLeft;    // share of the sky's light left there
     float scattered;  // share of the light on what faces the sun that comes there from blade to blade
-    vec2 spare;       // 0
 };
 
 // What shaders of all of a field's species read. Tilings: repeats over what a map of tiling 1 covers; 0: the map lies
@@ -49,8 +47,6 @@ struct STD140 FieldGlobals {
 struct STD140 SpeciesGlobals {
     vec4 traced[TRACED_DIRECT];      // of numerics/traced.h: of direct light, elevation by elevation of the light
     vec4 tracedFill[TRACED_FILL];    // likewise of what comes of it from blade to blade, height by height
-    vec4 tracedSun[TRACED_TERMS];    // of the sun's light
-    vec4 sunFill[TRACED_HEIGHTS];    // likewise
     vec4 tracedSky[TRACED_RISE];     // of the sky's
     vec4 tracedGround[TRACED_RISE];  // of light from below
     vec3 rootColor;
@@ -68,6 +64,12 @@ struct STD140 SpeciesGlobals {
     float fade;  // omega of numerics/opacity.h
     int index;   // of the species in FieldGlobals
     vec2 area;   // as SliceGlobals has it
+    // Of grass/blade_cover.h: sums of a blade's control point and tip by these shares
+    vec2 middle;      // the middle of what its image leaves of it
+    vec2 reach;       // the area of that over the width
+    float covered;    // mean of the image's alpha
+    float middleRow;  // of what the image leaves: along the blade, 0 to 1
+    float lightRow;   // lib/straight.glsl
     float translucency;
     float gloss;
     float roughness;   // of the gloss

@@ -1,6 +1,7 @@
 // What the ground reads of what grows on it, over all fields (lib/soil.glsl). Does not: hold what a field's own shaders
 // read (grass.h).
 #pragma once
+#include "shared/grass.h"
 #include "shared/types.h"
 #define MAX_FIELDS 8
 #define MAX_SOIL_SPECIES 64  // of all fields together
@@ -17,13 +18,14 @@ struct STD140 SoilField {
     float occlusionTiling;  // of the map of ambient occlusion
 };
 struct STD140 SoilSpecies {
-    float shade;      // as SpeciesInField
-    float tiling;     // of the density map
-    vec2 area;        // as SliceGlobals
-    float skyLeft;    // as SpeciesInField
-    float scattered;  // likewise
-    float height;     // mean (m)
-    float spare;      // 0
+    vec2 area;                     // as SliceGlobals
+    float tiling;                  // of the density map
+    float skyLeft;                 // as SpeciesInField
+    float scattered;               // likewise
+    float height;                  // mean (m)
+    float maskHeight;              // of its blades' shadow mask (m)
+    float spare;                   // 0
+    vec4 sunFill[TRACED_HEIGHTS];  // of the sun's light, as SpeciesGlobals has it of light from all elevations
 };
 struct STD140 SoilGlobals {
     SoilField fields[MAX_FIELDS];

@@ -16,7 +16,6 @@ struct STD140 TessGlobals {
     float near;            // the near plane (m)
     float pixelsPerMetre;  // of a metre at 1 m
     float plainPixels;     // below which a blade of level 1 is a plain triangle
-    float plainWidth;      // of such a triangle, as a factor of the blade's
 };
 
 // Blades of a chosen cell, one after the other with those of other cells.

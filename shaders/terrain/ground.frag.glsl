@@ -58,7 +58,7 @@ void main() {
     float distance = length(position);
     vec3 n = normalize(normal);
     float grown;
-    SoilShares shares = soilUnder(uv, distance, grown);
+    SoilShares shares = soilUnder(uv, slopeOf(n), distance, grown);
     float beyond = TERRAIN_BEYOND ? beyondBy(place, frame.terrainSize) : 0.0;
     vec3 here = soil(uv, max(beyond, 0.0));  // before pixels part: it takes differences between neighbours
     vec3 light =

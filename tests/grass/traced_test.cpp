@@ -22,23 +22,23 @@ TracedLight someLight() {
     return t;
 }
 
-// What a shader makes of the numbers it is given.
-glm::vec3 asShadersRead(const SpeciesGlobals& g, const glm::vec3& toEye, const glm::vec3& sun) {
-    const f32::TracedTerms t = f32::tracedTerms(toEye, sun);
-    glm::vec3 sum = glm::vec3(g.tracedSun[6]) * t.near2 + glm::vec3(g.tracedSun[7]) * t.glow;
-    for (int i = 0; i < 3; ++i)
-        sum += glm::vec3(g.tracedSun[i]) * t.rise[i] + glm::vec3(g.tracedSun[i + 3]) * t.across[i];
+// What a shader makes of the numbers it is given, at an elevation that rays were traced for.
+glm::vec3 asShadersRead(const SpeciesGlobals& g, const glm::vec3& toEye, const glm::vec3& light) {
+    const f32::TracedTerms t = f32::tracedTerms(toEye, light);
+    const glm::vec4* at = g.traced + TRACED_TERMS * static_cast<int>(std::round(f32::tracedLightAt(light.y)));
+    glm::vec3 sum = glm::vec3(at[6]) * t.near2 + glm::vec3(at[7]) * t.glow;
+    for (int i = 0; i < 3; ++i) sum += glm::vec3(at[i]) * t.rise[i] + glm::vec3(at[i + 3]) * t.across[i];
     return glm::max(sum, glm::vec3(0));
 }
 
-TEST(Traced, ShadersReadTheSunsFactorsAsTheEngineDoes) {
-    const glm::vec3 sun = glm::normalize(glm::vec3(1, 0.8f, 0.3f));
+TEST(Traced, ShadersReadTheFactorsAsTheEngineDoes) {
+    const glm::vec3 sun(0.6f, 0.8f, 0);
     SpeciesGlobals g{};
-    setTraced(g, nullptr, sun);
+    setTraced(g, nullptr);
     EXPECT_EQ(asShadersRead(g, {0.6f, 0.8f, 0}, sun), glm::vec3(1)) << "nothing was traced";
     const TracedLight light = someLight();
     EXPECT_EQ(g.recollision, 0);
-    setTraced(g, &light, sun);
+    setTraced(g, &light);
     EXPECT_EQ(g.recollision, 0.45f);
     for (const glm::vec3& eye : {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::normalize(glm::vec3(-1, 0.2f, 0.7f))}) {
         const glm::vec3 want = tracedDirect(light.blades, eye, sun), got = asShadersRead(g, eye, sun);
@@ -48,12 +48,13 @@ TEST(Traced, ShadersReadTheSunsFactorsAsTheEngineDoes) {
 
 TEST(Traced, LightFromBladeToBladeIsReadBetweenHeightsAndElevations) {
     SpeciesGlobals g{};
-    setTraced(g, nullptr, {0, 1, 0});
-    for (const glm::vec4& fill : g.sunFill) EXPECT_EQ(fill, glm::vec4(0)) << "nothing was traced";
+    setTraced(g, nullptr);
+    for (const glm::vec4& fill : g.tracedFill) EXPECT_EQ(fill, glm::vec4(0)) << "nothing was traced";
     const TracedLight light = someLight();
-    setTraced(g, &light, {0, 0.275f, 0});  // half-way from the second elevation to the third
+    glm::vec4 fill[TRACED_HEIGHTS];
+    setSunFill(fill, light, {0, 0.275f, 0});  // half-way from the second elevation to the third
     for (size_t k = 0; k < TRACED_HEIGHTS; ++k)
-        EXPECT_NEAR(g.sunFill[k].y, 0.02f * (1.5f * TRACED_HEIGHTS + static_cast<float>(k)), 1e-5f);
+        EXPECT_NEAR(fill[k].y, 0.02f * (1.5f * TRACED_HEIGHTS + static_cast<float>(k)), 1e-5f);
     for (const float share : {-1.0f, 0.0f, 0.1f, 0.5f, 0.9f, 1.0f, 7.0f}) {
         const glm::vec3 heights = f32::tracedHeights(share);
         EXPECT_NEAR(heights.x + heights.y + heights.z, 1, 1e-6f) << share;

@@ -175,12 +175,12 @@ TEST(Stiffness, DividesTheLeanOfBladesAsOfSlicesAndInTheTruth) {
 double turnedDeg(Renderer& r, Technique technique, float fromDeg, float toDeg) {
     const auto drawn = [&](float azimuthDeg, ViewMode mode) {
         Project p = strip(technique, 1);
-        grassOf(p).species[0].bladesPerM2 = 200, grassOf(p).species[0].height = 0.5f;
+        windyGrass(p).species[0].bladesPerM2 = 200, windyGrass(p).species[0].height = 0.5f;
         Wind& wind = *p.registry.get<Wind>(findEntity(p, "wind"));
         wind.strength = 0.03f, wind.azimuthDeg = azimuthDeg;
         ViewSettings s;
         s.width = kWidth, s.height = kHeight, s.msaa = 1, s.mode = mode;
-        return pictureOf(r, p, {{10, 1, 16.5}, {10, 0.2, 14}, 40, 0}, s);
+        return windyPicture(r, p, {{10, 1, 16.5}, {10, 0.2, 14}, 40, 0}, s);
     };
     const auto before = drawn(fromDeg, ViewMode::Normals), after = drawn(toDeg, ViewMode::Normals);
     const auto bladeBefore = bladePixels(drawn(fromDeg, ViewMode::Tiers)),

@@ -1,0 +1,19 @@
+// What a blade's image leaves of the blade: the moments of its alpha along the blade, and what follows for blades that
+// are drawn as one quad or one triangle, far away, so that they show as much, as high and as bright as whole ones. Does
+// not: know splines or light (lib/straight.glsl).
+#pragma once
+#include <array>
+
+#include "frame/color_image.h"
+#include "shared/grass.h"
+
+namespace sward {
+
+// Means of v^0 to v^3 times the image's alpha over its rows, from the root (v = 0) to the tip (1); of no image, of a
+// whole rectangle.
+using AlphaMoments = std::array<double, 4>;
+AlphaMoments alphaMoments(const Rgba8& image);
+// Writes what shaders need of them: SpeciesGlobals from `middle` on.
+void setCover(SpeciesGlobals& g, const AlphaMoments& m);
+
+}  // namespace sward
