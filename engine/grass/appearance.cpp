@@ -174,11 +174,11 @@ glm::vec3 aimAlong(const FieldLight& light, const std::vector<Posed>& points, co
     return sum * quotient(asBlades(points, e, light).value(), asBlades(points, e, full).value());
 }
 
-// By view, how many times as bright blades are that lie: their faces turn up, and none stands in another's light
-// (lib/blade.glsl). Over what slices send of those that stand.
+// By view, how many times as bright blades are that lie: their faces turn up, and shade each other less
+// (numerics/lying.h). Over what slices send of those that stand.
 void addLaidGains(const Look& look, const FieldLight& light, Gains& out) {
     const auto standing = posed(look, glm::vec2(0), look.clumpLean), laid = posed(look, glm::vec2(0), 0, 1);
-    const BladeShade none{.rows = {1.0f}};
+    const BladeShade lying{.rows = {f32::lyingLit(look.laidAbove)}};
     FieldLight open = light;
     TracedLight indirect;  // light from all around is as among blades that stand, direct light as without them
     if (light.traced) {
@@ -186,7 +186,7 @@ void addLaidGains(const Look& look, const FieldLight& light, Gains& out) {
         for (size_t i = 0; i < TRACED_DIRECT; i += TRACED_TERMS) indirect.blades.direct[i] = glm::vec3(1);
         open.traced = &indirect;
     }
-    if (light.shade) open.shade = &none;
+    if (light.shade) open.shade = &lying;
     for (int i = 0; i < LOOK_VIEWS; ++i) {
         const auto at = static_cast<size_t>(i);
         const glm::vec3 e = lookView(i), bright = asBlades(laid, e, open).value();
@@ -374,7 +374,8 @@ void updateLook(Look& look, uint64_t& madeFrom, const Species& s, const Patch& p
 }
 
 float lightLeft(const Look& look, float sinElevation) {
-    return lightLeft(look, {std::sqrt(std::max(1 - sinElevation * sinElevation, 0.0f)), sinElevation, 0}, {0, 0});
+    const float y = std::clamp(sinElevation, f32::kLeastRise, 1.0f);
+    return lightLeft(look, {std::sqrt(1 - y * y), y, 0}, {0, 0});
 }
 float lightLeft(const Look& look, const glm::vec3& towards, const glm::vec2& slope) {
     const float rise = std::max(f32::riseOver(towards, slope), f32::kLeastRise);

@@ -99,7 +99,9 @@ void publishSoil(DrawContext& ctx, GrassFields& grass) {
         field.view->constants += othersConstants(numbers.back(), species);
     }
     soil.constants = soilConstants(numbers);
-    writeBuffer(ctx.gpu, grass.soil, kOwner, sizeof(g), &g);
+    const uint64_t hash = hashBytes(&g, sizeof(g));
+    if (!grass.soil.id() || grass.soilHash != hash) writeBuffer(ctx.gpu, grass.soil, kOwner, sizeof(g), &g);
+    grass.soilHash = hash;
     soil.globals = grass.soil.id();
     bindSoil(soil);
 }

@@ -57,6 +57,7 @@ struct Field {
 struct GrassFields : EffectState {
     std::vector<std::unique_ptr<Field>> all;
     Buffer soil;  // SoilGlobals
+    uint64_t soilHash = 0;
 };
 
 // The fields that this view draws by a feature; none before grass/field has ticked.

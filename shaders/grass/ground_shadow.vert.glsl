@@ -6,7 +6,6 @@
 #include "lib/ground_light.glsl"
 #include "lib/heights.glsl"
 #include "lib/lamps.glsl"
-#include "lib/straight.glsl"
 #include "lib/strip.glsl"
 #include "numerics/blade.h"
 #include "numerics/lod.h"
@@ -45,12 +44,7 @@ void main() {
     float lighter;
     BladePose pose = poseHere(b, s, lighter);
     BladeFrame f = bladeFrameFacing(pose.control, pose.tip, pose.facing, s.v);
-    float width = b.width * frame.widening;
-    vec3 p = f.position + f.side * (s.across * width * (1.0 - s.v * s.v));
-    if (s.cell.middleLacked > 0.49) {  // one quad
-        PlainBlade plain = plainBlade(pose, width);
-        p = mix(plain.base, plain.apex, s.v) + f.side * (s.across * plain.width * (1.0 - s.v));
-    }
+    vec3 p = f.position + f.side * (s.across * b.width * frame.widening * (1.0 - s.v * s.v));
     vec3 l = towardsLight(s.root + p);
     GroundShadow shadow = shadowOfSun(dot(p, n), vec3(l.x, dot(l, n), l.z), kLongest * kind.height);
     vec2 land = p.xz + shadow.offset;

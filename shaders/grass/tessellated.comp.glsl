@@ -7,7 +7,6 @@
 #include "lib/frame.glsl"
 #include "lib/tess.glsl"
 #include "lib/tess_cells.glsl"
-#include "numerics/blade.h"
 #include "numerics/chance.h"
 #include "shared/bindings.h"
 #include "shared/tess.h"

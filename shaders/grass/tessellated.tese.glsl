@@ -4,7 +4,6 @@
 #include "lib/frame.glsl"
 #include "lib/mirror.glsl"
 #include "lib/tess.glsl"
-#include "numerics/blade.h"
 #include "numerics/spline.h"
 
 layout(quads, equal_spacing, ccw) in;

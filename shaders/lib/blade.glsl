@@ -91,8 +91,8 @@ BladeStand standOf(Blade b, Stand s) {
     return p;
 }
 
-// The patch's blade as it stands here. Where blades are pressed down none stands in another's light: the density by
-// which they shade each other falls with the press. lighter: factor of its colour.
+// The patch's blade as it stands here. Blades that are pressed down do not stand in each other's light: the density by
+// which they shade each other falls with the press (those that lie: numerics/lying.h). lighter: factor of its colour.
 BladePose poseHere(Blade b, inout Stand s, out float lighter) {
     BladeStand p = standOf(b, s);
     BladeLean l = leanOf(p, b.facing * s.cell.mirror);

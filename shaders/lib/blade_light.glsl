@@ -14,6 +14,7 @@
 #include "lib/shadow.glsl"
 #include "lib/traced.glsl"
 #include "numerics/basics.h"
+#include "numerics/lying.h"
 #include "numerics/population.h"
 #include "numerics/slope.h"
 
@@ -59,11 +60,19 @@ float densityOver(vec2 uv, float metres) {
                       levelOver(metres, textureSize(densityMap, 0)))
         .r;
 }
-// Share of what grows at the root that is not pressed down.
+// How dense it grows at the root, by the share of its height that it has.
+float grownAt(vec2 uv) { return (GRASS_DENSITY ? densityOver(uv, 0.0) : 1.0) * bladeShare(uv); }
+// Share of what grows there that is not pressed down.
 float standing(Lit p, vec2 uv) {
     if (!(FORCES || FORCE_MAP)) return 1.0;
-    float grown = (GRASS_DENSITY ? densityOver(uv, 0.0) : 1.0) * bladeShare(uv);
-    return clamp(p.density / max(grown, 1e-3), 0.0, 1.0);
+    return clamp(p.density / max(grownAt(uv), 1e-3), 0.0, 1.0);
+}
+// Share of a direct light that those leave to it which lie. others: area of other species' leaves, towards a level
+// view.
+float lyingLeave(Lit p, vec2 uv, float others) {
+    if (!(FORCES || FORCE_MAP) || p.stands >= 1.0) return 1.0;
+    const float kAllSides = 1.5708;  // area of upright leaves that face anywhere, by that towards a level view
+    return mix(lyingLit(kAllSides * (species.area.x * grownAt(uv) + others)), 1.0, p.stands);
 }
 // Towards the eye, over the ground as if it were level: unit.
 vec3 overGround(Lit p) { return unitOr(overLevel(p.toEye, p.slope), 1e-6, p.toEye); }
@@ -88,9 +97,10 @@ float shareAmong(Lit p) { return highAmong(p) / max(species.maskHeight, 1e-4); }
 OthersLight sunAmong(Lit p, vec2 uv, float density) {
     vec3 sun = frame.sunDirection, over = overLevel(sun, p.slope);
     OthersLight others = othersLight(uv, highAmong(p), sun, over.y);
+    float lying = lyingLeave(p, uv, others.area);
     others.fill *= p.stands;
     others.area *= p.stands;
-    others.leave = mix(1.0, others.leave, p.stands);
+    others.leave = mix(1.0, others.leave, p.stands) * lying;
     float own = species.area.x * density, all = own + others.area, seen = (1.0 - exp(-all)) / max(all, 1e-3),
           past = exp(-density * depthAbove(species.area, shareAbove(species.maskHeight, highAmong(p)), sun, over.y));
     vec3 fill = directFill(over, shareAmong(p)) * (own / (1.0 - exp(-max(species.area.x, 1e-3)))) * others.leave;
@@ -105,7 +115,7 @@ vec3 lampSends(Lit p, vec2 uv, LampHere l) {
                    tracedDirect(overGround(p), over, density);
     vec3 sent = leafLight(p.color.reflectance, bladeGloss(), p.normal, p.toEye, l.direction, l.light) * through +
                 p.color.reflectance * l.light * directFill(over, shareAmong(p)) * tracedShare(density, species.area.x);
-    return sent * othersLeft(p, uv, l.direction);
+    return sent * othersLeft(p, uv, l.direction) * lyingLeave(p, uv, 0.0);
 }
 // Lamps that cast shadows are shaded here, by the vertex: unlike the sun there may be many.
 vec3 lampsOn(Lit p, vec2 uv) {

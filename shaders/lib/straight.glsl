@@ -2,7 +2,6 @@
 // of them as of the bent blade, and as high. From the moments of the image's alpha (grass/blade_cover.h). Any stage but
 // fragments.
 #include "lib/species.glsl"
-#include "numerics/blade.h"
 #include "numerics/population.h"
 
 // The middle of what the image leaves of a blade, and its area over its width: so long a rectangle shows as much.

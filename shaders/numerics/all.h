@@ -31,6 +31,7 @@
 #include "numerics/rays.h"
 #include "numerics/shadow.h"
 #include "numerics/slope.h"
+#include "numerics/lying.h"
 #include "numerics/others.h"
 #include "numerics/tess.h"
 #include "numerics/traced.h"

@@ -2,7 +2,6 @@
 // lines straight and blades as far apart as they were: what hides what is told on level ground, by ways so lowered.
 
 #ifndef __cplusplus
-#include "numerics/basics.h"
 #include "numerics/glsl.h"
 #endif
 

@@ -1,4 +1,4 @@
-// Grass on a hillside (numerics/slope.h).
+// Grass on a hillside (numerics/slope.h), and pressed down (numerics/lying.h).
 #include <gtest/gtest.h>
 
 #include "core/numerics.h"
@@ -46,6 +46,14 @@ TEST(NumericsSlope, BrightensAsLayersOfLeavesDo) {
     EXPECT_LT(f64::slopeBrightens(area, eye, sun, {0, -0.3}), 0.9);
     EXPECT_EQ(f64::slopeBrightens(area, eye, sun, {0, -1.0}), 0) << "the sun is behind the hill";
     EXPECT_NEAR(f32::slopeBrightens({0, 0}, {0, 1, 0}, {0, 1, 0}, {9, 9}), 1, 1e-6f) << "no leaves at all";
+}
+
+TEST(NumericsLying, LeavesWhatPathsLeaveAndAllOfItWhereFewLie) {
+    EXPECT_EQ(f64::lyingLit(0), 1);
+    EXPECT_NEAR(f64::lyingLit(0.35), 1.00, 0.06);
+    EXPECT_NEAR(f64::lyingLit(1.7), 0.89, 0.06);
+    EXPECT_NEAR(f64::lyingLit(4.4), 0.77, 0.03);
+    EXPECT_NEAR(f64::lyingLit(100), 1 / 1.3, 1e-6);
 }
 
 }  // namespace
