@@ -123,21 +123,28 @@ void writeVertex(uint vertex, TessBlade t, BladeLight l, vec3 fromRoot, vec3 str
 void writeTriangle(TessBlade t, uint vertex) {
     PlainBlade p = plainBlade(t.pose, t.width);
     vec3 end = vec3(-t.pose.facing.y, 0.0, t.pose.facing.x) * (0.5 * p.width);
-    BladeLight base = lightRow(t, 0.0);
+    StraightLights lights = straightLights(t);
+    BladeLight base = straightRowLight(t, lights, 0.0);
     writeVertex(vertex, t, base, p.base - end, vec3(0.0, 0.0, t.opacity));
     writeVertex(vertex + 1u, t, base, p.base + end, vec3(0.0, 0.0, t.opacity));
-    writeVertex(vertex + 2u, t, lightRow(t, 1.0), p.apex, vec3(0.0, 1.0, t.opacity));
+    writeVertex(vertex + 2u, t, straightRowLight(t, lights, 1.0), p.apex, vec3(0.0, 1.0, t.opacity));
 }
 
 void writeStrip(TessBlade t, uint vertex, int rows) {
     vec3 side = vec3(-t.pose.facing.y, 0.0, t.pose.facing.x);
     PlainBlade p = plainBlade(t.pose, t.width);
+    StraightLights lights;
+    if (t.level <= 1) lights = straightLights(t);
     for (int row = 0; row <= rows; ++row) {
         uint at = vertex + 2u * uint(row);
         float v = float(min(row, t.level)) / float(t.level);
         vec3 middle = t.plain ? mix(p.base, p.apex, v) : middleOfRow(t, v),
              end = side * (0.5 * (t.plain ? p.width * (1.0 - v) : t.width));
-        BladeLight l = lightRow(t, v);
+        BladeLight l;
+        if (t.level > 1)
+            l = bentRowLight(t, v);
+        else
+            l = straightRowLight(t, lights, v);
         writeVertex(at, t, l, middle - end, vec3(0.0, v, t.opacity));
         writeVertex(at + 1u, t, l, middle + end, vec3(1.0, v, t.opacity));
     }

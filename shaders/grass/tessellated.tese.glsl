@@ -48,7 +48,7 @@ void main() {
     float u = gl_TessCoord.x > 0.25 ? 1.0 : 0.0,
           v = gl_TessCoord.y;  // stages put a vertex between the two of a row: there it draws nothing
     vec3 side = vec3(-t.pose.facing.y, 0.0, t.pose.facing.x), end = side * (0.5 * t.width), at;
-    BladeLight light = lightRow(t, v);
+    BladeLight light = t.level > 1 ? bentRowLight(t, v) : straightRowLight(t, straightLights(t), v);
     maskAt = light.maskAt;
     if (t.plain) {
         PlainBlade p = plainBlade(t.pose, t.width);

@@ -92,8 +92,8 @@ float densityTowards(Lit p, vec2 uv, vec3 towards) {
 }
 // Where its height lies in the mask's.
 float shareAmong(Lit p) { return highAmong(p) / max(species.maskHeight, 1e-4); }
-// What a light sends from blade to blade there, of its own species and the others, and what these leave of it, which
-// would light what faces it by 1.
+// The sun's light among blades there: what comes from blade to blade of its own species, too, by their part of all
+// leaves; what others and those that lie leave of it.
 OthersLight sunAmong(Lit p, vec2 uv, float density) {
     vec3 sun = frame.sunDirection, over = overLevel(sun, p.slope);
     OthersLight others = othersLight(uv, highAmong(p), sun, over.y);

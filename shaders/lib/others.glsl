@@ -9,11 +9,11 @@
 #include "shared/bindings.h"
 #include "shared/soil.h"
 
-// leave: share of a light that they leave; fill: what comes of the sun's from blade to blade of theirs, on a blade of
-// any direction, where it lights what faces it by 1.
+// Of a light on a point among blades that would light what faces it by 1.
 struct OthersLight {
-    float leave, area;
-    vec3 fill;
+    float leave;  // share of it that other species leave
+    float area;   // of their leaves towards a level view, m2 a m2 of ground
+    vec3 fill;    // what comes of the sun's from blade to blade, on a blade of any direction
 };
 #ifdef OTHERS_EACH
 layout(std140, binding = UBO_SOIL) uniform SoilBlock { SoilGlobals soilGrowth; };

@@ -97,11 +97,24 @@ BladeLight lightPoint(TessBlade t, float v, out vec3 shown) {
                           t.pose.upright, t.slope, mix(species.rootOpen, 1.0, v), t.density, 1.0),
                       t.uv);
 }
-// Light for a row of its vertices.
-BladeLight lightRow(TessBlade t, float v) {
+// Light of the rows that the light of a blade of one quad is made of.
+struct StraightLights {
+    BladeLight low, tip;
+};
+StraightLights straightLights(TessBlade t) {
     vec3 shown;
-    BladeLight l = lightPoint(t, t.level > 1 ? v : 1.0, shown);
-    if (t.level <= 1) l = straightLight(lightPoint(t, species.lightRow, shown), l, t.plain ? plainRow(v) : v);
+    BladeLight low = lightPoint(t, species.lightRow, shown), tip = lightPoint(t, 1.0, shown);
+    if (viewMode() == VIEW_NORMALS) low.lit.rgb = tip.lit.rgb = shown * 0.5 + 0.5;
+    return StraightLights(low, tip);
+}
+// Of a row v of its vertices.
+BladeLight straightRowLight(TessBlade t, StraightLights lights, float v) {
+    return straightLight(lights.low, lights.tip, t.plain ? plainRow(v) : v);
+}
+// Light for a row v of the vertices of a blade of more.
+BladeLight bentRowLight(TessBlade t, float v) {
+    vec3 shown;
+    BladeLight l = lightPoint(t, v, shown);
     if (viewMode() == VIEW_NORMALS) l.lit.rgb = shown * 0.5 + 0.5;
     return l;
 }
