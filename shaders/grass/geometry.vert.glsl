@@ -39,11 +39,11 @@ void main() {
     vec3 fromRoot = f.position + f.side * (s.across * b.width * frame.widening);
     vec3 position = s.root + fromRoot;
     vec3 n = dot(f.normal, position) > 0.0 ? -f.normal : f.normal;  // the side that faces the eye
-    BladeLight light =
-        lightBlade(Lit(bladeColor(b.hue, b.lightness * lighter, s.v, s.cell.middleLacked, s.uv), f.normal, n,
-                       unitOr(-position, 1e-6, n), position, fromRoot, pose.facing, pose.upright,
-                       groundSlope(s.ground, species.maskRadius), mix(species.rootOpen, 1.0, s.v), s.density, 1.0),
-                   s.uv);
+    BladeLight light = lightBlade(
+        Lit(bladeColor(b.hue, b.lightness * lighter, s.v, s.cell.middleLacked, s.uv), f.normal, n,
+            unitOr(-position, 1e-6, n), position, fromRoot, pose.facing, pose.upright,
+            groundSlope(s.ground, s.root.y, species.maskRadius), mix(species.rootOpen, 1.0, s.v), s.density, 1.0),
+        s.uv);
     lit = light.lit, sunned = light.sunned, turned = light.turned, maskAt = light.maskAt;
     if (viewMode() == VIEW_NORMALS) lit.rgb = n * 0.5 + 0.5;
     strip = vec3(s.across + 0.5, s.v, s.opacity);

@@ -95,7 +95,8 @@ void main() {
     BladeLean p = leanOf(stands, vec2(0.0));
     float lean2 = min(dot(p.lean, p.lean), 0.9), upright = sqrt(1.0 - lean2);
     float height = max(slices.top * p.scale * sunk(press) * upright, 1e-4);
-    vec2 slope = groundSlope(ground, slices.cellSize);
+    vec3 n = groundNormal(ground, slices.cellSize);
+    vec2 slope = -n.xz / max(n.y, 0.05);
     float sinks = riseOver(way, slope);
     float ahead = max((above - height) / max(-sinks, 1e-6), 0.0);
     if (above > height && !(sinks < 0.0)) discard;

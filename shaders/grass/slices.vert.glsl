@@ -105,7 +105,7 @@ void main() {
         vec2(lodRamp(far, slices.minGeom, slices.geomInv), (1.0 - lodRamp(far, slices.minBTF, slices.btfInv)) * turned);
 
     float plain = p.lighter * darkened(far) * slices.reflectScale;
-    vec2 slope = groundSlope(ground, slices.cellSize);
+    vec2 slope = groundSlope(ground, foot.y, slices.cellSize);
     vec3 toEye = -foot / far, over = seenOver(toEye, slope),
          shown = plain * sharedGain(over, weights.x) * sliceGain(over, p.free - p.clump, p.clump, press, false);
     brighter = plain * laidGain(lookTap(toEye), press);

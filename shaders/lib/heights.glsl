@@ -26,19 +26,22 @@ float groundHeight(vec2 place) {
     return mix(height, frame.landLevel, landMean(beyondBy(place, frame.terrainSize), frame.landFade));
 }
 
+// Steps along x and z (m) over which the ground's slope is taken: at least a texel of its map.
+vec2 slopeSteps(float step) {
+    vec2 repeat = frame.heightTiling > 0.0 ? vec2(1.0) / (frame.mapShare * frame.heightTiling) : frame.terrainSize;
+    return max(vec2(step), repeat / vec2(textureSize(heightMap, 0)));
+}
+// Rise of the ground a metre along x and z, over `step` metres from a place whose height is known; 0 on flat ground.
+vec2 groundSlope(vec2 place, float height, float step) {
+    if (!TERRAIN_HEIGHTS) return vec2(0.0);
+    vec2 d = slopeSteps(step);
+    return vec2(groundHeight(place + vec2(d.x, 0.0)) - height, groundHeight(place + vec2(0.0, d.y)) - height) / d;
+}
 // Upward unit normal by central differences over `step` metres; exactly up on flat ground (T-5).
 vec3 groundNormal(vec2 place, float step) {
     if (!TERRAIN_HEIGHTS) return vec3(0.0, 1.0, 0.0);
-    vec2 repeat = frame.heightTiling > 0.0 ? vec2(1.0) / (frame.mapShare * frame.heightTiling) : frame.terrainSize,
-         texel = repeat / vec2(textureSize(heightMap, 0));
-    vec2 d = max(vec2(step), texel);
+    vec2 d = slopeSteps(step);
     float dx = groundHeight(place + vec2(d.x, 0.0)) - groundHeight(place - vec2(d.x, 0.0));
     float dz = groundHeight(place + vec2(0.0, d.y)) - groundHeight(place - vec2(0.0, d.y));
     return normalize(vec3(-dx / (2.0 * d.x), 1.0, -dz / (2.0 * d.y)));
-}
-
-// Rise of the ground a metre along x and z, over `step` metres to either side; 0 on flat ground.
-vec2 groundSlope(vec2 place, float step) {
-    vec3 n = groundNormal(place, step);
-    return -n.xz / max(n.y, 0.05);
 }

@@ -60,7 +60,7 @@ TessBlade tessBlade(TessCell c, uint index) {
     t.hue = b.hue;
     t.root = s.root;
     t.uv = s.uv;
-    t.slope = groundSlope(s.ground, species.maskRadius);
+    t.slope = groundSlope(s.ground, s.root.y, species.maskRadius);
     t.density = s.density;
     t.opacity = s.opacity;
     t.grain = floatBitsToUint(b.dither);
