@@ -83,7 +83,7 @@ struct FlatField {
     bool& groundShadows = drawing.groundShadows;
 
     float &maxDistance = tessellated.maxDistance, &pixelsPerQuad = tessellated.pixelsPerQuad,
-          &thinning = tessellated.thinning, &lowerFrom = tessellated.lowerFrom;
+          &thinning = tessellated.thinning, &leastPixels = tessellated.leastPixels, &lowerFrom = tessellated.lowerFrom;
     LevelBy& levelBy = tessellated.levelBy;
     bool& widening = tessellated.widening;
     Beyond& beyond = tessellated.beyond;

@@ -59,6 +59,8 @@ struct BladeLevels {
     float reach = 0;  // of a blade from its root, m
 };
 
+inline constexpr f32::Thinning kAllBlades{0, 1e30f};
+
 struct CellQuery {
     const Terrain& terrain;
     const HeightBounds& bounds;
@@ -76,7 +78,7 @@ struct CellQuery {
     float pixelsPerMetre;  // at a distance of 1 m
     glm::dvec3 eye;        // relative to the terrain's corner
     const Frustum& frustum;
-    float thinning = 0;    // share of the blades that is missing at each metre from the eye
+    f32::Thinning thinning = kAllBlades;
     BladeLevels levels{};  // where blades are tessellated: CellDraw.segments is then the greatest level in the cell
     const UniqueBlades* unique =
         nullptr;  // each cell's own blades, of which `patch` is then all: CellDraw's first and last are theirs

@@ -88,7 +88,8 @@ CullGlobals cullGlobals(const CellWish& w) {
     g.cells = fieldCells(q);
     g.farthest2 = std::min(q.range.max * q.range.max, 3e38f);
     g.shadowReach = q.shadow;
-    g.fade = rule.fade, g.thinning = rule.thinning, g.rangeMin = rule.rangeMin, g.rangeInv = rule.rangeInv;
+    g.fade = rule.fade, g.missing = rule.thinning.missing, g.allTo = rule.thinning.allTo, g.rangeMin = rule.rangeMin,
+    g.rangeInv = rule.rangeInv;
     g.unspread = rule.unspread, g.unstep = rule.unstep, g.sowSeed = q.sowSeed;
     g.smoothness = static_cast<float>(q.levels.smoothness);
     g.maxDistance = q.levels.maxDistance;

@@ -61,16 +61,32 @@ float mostWidening(const TessellatedBlades& f) {
     return f.widening ? std::min(1 / std::max(1 - f.thinning, 1e-3f), kMostWidening) : 1;
 }
 
+// Every blade is as wide as leastPixels up to allTo.
+f32::Thinning thinningOf(const TessellatedBlades& f, const Species& species, float pixelsPerMetre) {
+    const float allTo =
+        f.leastPixels > 0 ? std::max(species.width, 1e-6f) * pixelsPerMetre / f.leastPixels : kAllBlades.allTo;
+    return {f.thinning / f.maxDistance, allTo};
+}
+// How much wider blades become with each metre, where pixels thin them.
+float widerAMetre(const TessellatedBlades& f, const f32::Thinning& t) { return f.widening ? 1 / t.allTo : 0; }
+// Of the widest blades of a species.
+float greatestWidth(const DrawContext& ctx, const TessellatedBlades& f, const Species& species,
+                    const f32::Thinning& t) {
+    return species.width * std::max(mostWidening(f), f.maxDistance * widerAMetre(f, t)) * ctx.globals.widening;
+}
+
 TessGlobals globalsOf(const DrawContext& ctx, const TessellatedBlades& f, const Species& species) {
     TessGlobals g{};
+    g.pixelsPerMetre = pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
     g.maxDistance = f.maxDistance;
-    g.thinning = f.thinning / f.maxDistance;
+    const f32::Thinning thinned = thinningOf(f, species, g.pixelsPerMetre);
+    g.missing = thinned.missing, g.allTo = thinned.allTo;
     g.lowerInv = 1 / std::max(f.maxDistance * (1 - f.lowerFrom), 1e-6f);
     g.widest = mostWidening(f);
+    g.widerAMetre = widerAMetre(f, thinned);
     g.mostLevel = static_cast<float>(species.smoothness);
     g.pixelsPerQuad = f.levelBy == LevelBy::Pixels ? f.pixelsPerQuad : 0;
     g.near = kNear;
-    g.pixelsPerMetre = pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
     g.plainPixels = kPlainPixels;
     return g;
 }
@@ -123,26 +139,32 @@ CellQuery queryOf(const DrawContext& ctx, const Field& field, size_t i) {
     const float pixels = pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
     const Species& species = field.grows().species[i];
     CellQuery q = drawnQuery(ctx, field, i);
-    q.reach += species.width * (mostWidening(f) * ctx.globals.widening - 1);
-    q.thinning = f.thinning / f.maxDistance;
+    q.thinning = thinningOf(f, species, pixels);
+    q.reach += greatestWidth(ctx, f, species, q.thinning) - species.width;
     q.levels = {species.smoothness, f.maxDistance, 0, q.reach};
     if (f.levelBy == LevelBy::Pixels) q.levels.quadsAtOneMetre = q.reach * pixels / f.pixelsPerQuad;
     return q;
 }
 
+// Metres from which blades of one quad are plain triangles, whichever way they are thinned.
+float plainFrom(const DrawContext& ctx, const TessellatedBlades& f, const Species& species) {
+    constexpr float kMostVaried = 1.25f, kMost = 0.999f * kPlainPixels;
+    const float widening = kMostVaried * ctx.globals.widening;
+    if (f.widening && f.leastPixels * widening > kMost) return std::numeric_limits<float>::max();
+    const float pixels = pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
+    return species.width * mostWidening(f) * widening * pixels / kMost;
+}
+
 void selectSpecies(DrawContext& ctx, const Field& field, size_t i, Selection& s) {
     const auto& f = field.view->settings<TessellatedBlades>();
     const Species& species = field.grows().species[i];
-    const float pixels = pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
     s.mesh = &ctx.own<TessState>().meshes.at(field.number, i);
     const TessGlobals g = globalsOf(ctx, f, species);
     writeBuffer(ctx.gpu, s.globals, kOwner, sizeof(g), &g);
-    const float widest = 1.25f * species.width * mostWidening(f) * ctx.globals.widening;
     const CellQuery query = queryOf(ctx, field, i);
     const bool byGpu = field.view->settings<GrassDrawing>().culling != Culling::Cpu && gpuMayChoose(query);
     chooseCells(ctx, s.chosen,
-                {query, s.mesh->key, ctx.settings.detail, 1, widest * pixels / (0.999f * kPlainPixels),
-                 pieceBlades(ctx.gpu), byGpu},
+                {query, s.mesh->key, ctx.settings.detail, 1, plainFrom(ctx, f, species), pieceBlades(ctx.gpu), byGpu},
                 kOwner);
     planBatches(ctx.gpu, field.view->features, s);
     planPoints(ctx.gpu, s, species.smoothness);

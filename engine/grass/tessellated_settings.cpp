@@ -37,16 +37,20 @@ std::vector<SettingValues> sweep(const FieldEntity& field) {
     for (const double far : {0.5, 1.0})
         out.push_back({rounded("maxDistance", static_cast<double>(own.maxDistance) * far), "msaa=4"});
     for (const char* one : {"thinning=0", "levelBy=pixels", "msaa=1", kTemporalSetting}) out.push_back({one});
+    for (const char* one : {"leastPixels=0.25", "leastPixels=0.5", "leastPixels=1"})
+        out.push_back({one, kTemporalSetting});
     return out;
 }
 
-constexpr KnobRow kKnobs[] = {{"far", true, 1, 0, 1e30, true}, {"kept", true, 1, 0, 1e30, true}, kSamplesKnob};
-// far: how far blades are drawn; kept: share of the blades that is left there.
+constexpr KnobRow kKnobs[] = {
+    {"far", true, 1, 0, 1e30, true}, {"kept", true, 1, 0, 1e30, true}, kSamplesKnob, {"wide", false, 0, -1, 1, false}};
+// far: how far blades are drawn; kept: share of the blades that is left there; wide: how wide they are at least.
 SettingValues turned(const FieldEntity& field, std::span<const double> k) {
     const auto& own = field.settings<TessellatedBlades>();
     const double kept = (1 - static_cast<double>(own.thinning)) * k[1];
     return {rounded("maxDistance", std::clamp(static_cast<double>(own.maxDistance) * k[0], 0.1, 1e6)),
-            rounded("thinning", std::clamp(1 - kept, 0.0, 1.0)), samplesTurned(k[2])};
+            rounded("thinning", std::clamp(1 - kept, 0.0, 1.0)), samplesTurned(k[2]),
+            rounded("leastPixels", std::clamp(static_cast<double>(own.leastPixels) + k[3], 0.0, 1.0))};
 }
 
 constexpr const char* kSettings[] = {"TessellatedBlades", "GrassSlices", "GrassDrawing", "FarLook"};
@@ -63,6 +67,8 @@ ComponentRow tessellatedBladesRow() {
              "by pixels: length of a blade's quad on screen"),
         real("thinning", offsetof(TessellatedBlades, thinning), "", kShare,
              "share of the blades that is missing at maxDistance"),
+        titled("Blades at least", real("leastPixels", offsetof(TessellatedBlades, leastPixels), "px", {0, 1, 0, 1},
+                                       "on screen: where blades would be thinner there are fewer, as wide as this")),
         flag("widening", offsetof(TessellatedBlades, widening),
              "blades that are left are wider, so as to cover as much"),
         real("lowerFrom", offsetof(TessellatedBlades, lowerFrom), "", kShare,

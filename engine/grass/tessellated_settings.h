@@ -23,6 +23,7 @@ struct TessellatedBlades {
     LevelBy levelBy = LevelBy::Distance;
     float pixelsPerQuad = 8;  // that a quad of a blade is long, by pixels
     float thinning = 0.75f;   // share of the blades that is missing at maxDistance; linear in the distance
+    float leastPixels = 0;    // where blades would be thinner on screen they are fewer, each so wide; 0: nowhere
     bool widening = true;     // those that are left are wider, so as to cover as much
     float lowerFrom = 0.8f;   // share of maxDistance from which blades get lower, to nothing at its end; 1: they do not
     Beyond beyond = Beyond::Slice;

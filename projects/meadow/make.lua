@@ -9,7 +9,7 @@ for _, name in ipairs(entity.list()) do entity.remove(name) end
 
 entity.add("ground", { Terrain = { beyond = "fade", size = { size, size }, groundColor = { 0.11, 0.085, 0.055 } } })
 entity.add("grass", { GrassField = {
-    technique = "tessellated", maxDistance = 40, thinning = 0.6, cellSize = 1, slices = 16, sliceWidth = 512, farSize = 512,
+    technique = "tessellated", cellSize = 1, slices = 16, sliceWidth = 512, farSize = 512,
     species = {
         { name = "tall", bladesPerM2 = 1500, height = 0.45, heightVariation = 0.3, width = 0.007, bend = 0.55, leanDeg = 10, smoothness = 5,
           leanVariationDeg = 14, segments = 4, clumpSize = 0.45, clumpStrength = 0.6, translucency = 0.8, gloss = 0.4,
@@ -17,7 +17,8 @@ entity.add("grass", { GrassField = {
         { name = "low", bladesPerM2 = 2500, height = 0.14, heightVariation = 0.3, width = 0.005, bend = 0.5, leanDeg = 12, smoothness = 3,
           leanVariationDeg = 14, segments = 3, clumpSize = 0.3, clumpStrength = 0.5, translucency = 0.6 },
     },
-} })
+}, TessellatedBlades = { maxDistance = 40, leastPixels = 0.5, thinning = 0 } })
+entity.add("antialias", { Antialias = { antialias = "temporal" } })
 entity.add("sun", { Light = { azimuthDeg = 215, elevationDeg = 36 } })
 entity.add("sky", { Sky = { model = "atmosphere", turbidity = 1.5 } })
 entity.add("haze", { Fog = { visibility = 5000 } })

@@ -10,13 +10,14 @@ for _, name in ipairs(entity.list()) do entity.remove(name) end
 
 entity.add("ground", { Terrain = { size = { size, size }, groundColor = { 0.11, 0.085, 0.055 } } })
 entity.add("grass", { GrassField = {
-    technique = "tessellated", maxDistance = 45, thinning = 0.6, cellSize = 1, minGeom = 6, maxGeom = 14, minBTF = 30, maxBTF = 45, slices = 16, sliceWidth = 512, farSize = 512,
+    technique = "tessellated", cellSize = 1, minGeom = 6, maxGeom = 14, minBTF = 30, maxBTF = 45, slices = 16, sliceWidth = 512, farSize = 512,
     species = {
         { name = "tall", bladesPerM2 = 1600, height = 0.5, heightVariation = 0.25, width = 0.008, bend = 0.5, leanDeg = 10,
           leanVariationDeg = 12, segments = 4, clumpSize = 0.5, clumpStrength = 0.5, translucency = 0.7, gloss = 0.4,
           rootColor = { 0.05, 0.06, 0.02 }, midColor = { 0.075, 0.125, 0.035 }, tipColor = { 0.14, 0.165, 0.055 } },
     },
-} })
+}, TessellatedBlades = { maxDistance = 45, leastPixels = 0.5, thinning = 0 } })
+entity.add("antialias", { Antialias = { antialias = "temporal" } })
 entity.add("sun", { Light = { azimuthDeg = 150, elevationDeg = 34, intensity = 0.8 } })
 entity.add("sky", { Sky = { turbidity = 6 } })
 entity.add("haze", { Fog = { visibility = 700 } })

@@ -72,7 +72,8 @@ void main() {
     if (inField && boxNearest2(b) < cull.farthest2 && visible(b, cull.reach + cull.shadowReach)) {
         CellRule rule;
         rule.fade = cull.fade;
-        rule.thinning = cull.thinning;
+        rule.thinning.missing = cull.missing;
+        rule.thinning.allTo = cull.allTo;
         rule.rangeMin = cull.rangeMin;
         rule.rangeInv = cull.rangeInv;
         rule.unspread = cull.unspread;

@@ -44,7 +44,7 @@ TessBlade tessBlade(TessCell c, uint index) {
     Blade b = blades[index];
     Stand s = standAt(CellInstance(c.cell, c.corner, c.mirror, c.shift, 0.0, 0.0), b, 0.0, 0.0);
     if (!exists(s)) return t;
-    float distance = length(s.root), kept = densityKept(1.0, distance, tess.thinning);
+    float distance = length(s.root), kept = densityKept(1.0, distance, Thinning(tess.missing, tess.allTo));
     float share = min(geometryOpacity(s.density * kept, 0.0, s.threshold, species.fade) / s.opacity, 1.0);
     t.high = heightKept(distance, tess.maxDistance, tess.lowerInv);
     if (!(share * t.high > 0.0)) return t;
@@ -64,7 +64,8 @@ TessBlade tessBlade(TessCell c, uint index) {
     t.density = s.density;
     t.opacity = s.opacity;
     t.grain = floatBitsToUint(b.dither);
-    t.width = share * b.width * frame.widening * min(1.0 / max(kept, 0.01), tess.widest);
+    t.width =
+        share * b.width * frame.widening * min(1.0 / max(kept, 1e-3), max(tess.widest, distance * tess.widerAMetre));
     t.level = min(levelOf(t.pose, s.root), max(int(c.level), 1));
     t.plain = t.level == 1 && t.width * tess.pixelsPerMetre < tess.plainPixels * distance;
     return t;

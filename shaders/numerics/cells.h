@@ -99,8 +99,8 @@ FN CellTexels cellTexels(int cell, real texelsPerCell, int texels) {
 
 // How blades of a cell are chosen, by its nearest distance and the least and most density in it.
 struct CellRule {
-    real fade;      // omega of numerics/opacity.h
-    real thinning;  // share of the blades that is missing at each metre
+    real fade;  // omega of numerics/opacity.h
+    Thinning thinning;
     real rangeMin;  // as lodRamp takes them
     real rangeInv;
     real unspread;  // 1 / Sown.spread; chances take off Sown.step * unspread

@@ -43,10 +43,17 @@ FN int tessMost(real s, real d, real dmax, real quadsAtOneMetre, real reach) {
     return nearest > real(0.05) ? int(clamp(ceil(quadsAtOneMetre / nearest), real(1.0), max(s, real(1.0)))) : int(s);
 }
 
-// Of the density at a distance d, what is left where blades are thinned (section 6.3): linear, `missing` of it gone at
-// each metre.
-FN real densityKept(real density, real d, real missing) {
-    return density * clamp(1.0f - d * missing, real(0.0), real(1.0));
+// How blades are thinned by their distance: linearly (section 6.3), and so that those that are left, as wide as all
+// were, are at least some pixels wide (the stochastic simplification of Cook, Halstead, Planck and Ryu, ACM TOG 26(3),
+// 2007).
+struct Thinning {
+    real missing;  // share of the blades that is gone at each metre, >= 0
+    real allTo;    // metres up to which each is as wide as that by itself; huge: pixels thin none
+};
+// Of the density at a distance d >= 0, what is left.
+FN real densityKept(real density, real d, Thinning t) {
+    real linear = clamp(1.0f - d * t.missing, real(0.0), real(1.0));
+    return density * (d > t.allTo ? min(linear, t.allTo / d) : linear);
 }
 // How high a blade stands there, as a share of its height, if blades are low from `dmax` on; inv: 1 over the metres in
 // which they get so, at least kTiny of them.

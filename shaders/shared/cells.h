@@ -17,7 +17,8 @@ struct STD140 CullGlobals {
     float farthest2;    // square of the distance from which none is drawn (m2)
     float shadowReach;  // how far shadows reach (m)
     float fade;         // as CellRule
-    float thinning;
+    float missing;      // as Thinning
+    float allTo;        // as Thinning
     float rangeMin;
     float rangeInv;
     float smoothness;  // as tessMost takes it; 0: blades are not tessellated
@@ -27,8 +28,8 @@ struct STD140 CullGlobals {
     float sagittaPixels;  // of a blade's sagitta at 1 m
     int mostQuads;
     float detail;     // share of the blades drawn
-    float plainFrom;  // distance from which blades of one quad are plain triangles (m)
     vec2 texels;      // of the density map, a cell
+    float plainFrom;  // distance from which blades of one quad are plain triangles (m)
     uint seed;
     uint pieceBlades;  // at most in a piece
     float drawn;       // share of the chosen blades that is drawn

@@ -8,9 +8,11 @@ namespace sward {
 
 struct STD140 TessGlobals {
     float maxDistance;     // from which no blade is drawn (m)
-    float thinning;        // share of blades missing at each metre
+    float missing;         // as Thinning
+    float allTo;           // as Thinning
     float lowerInv;        // 1 / metres over which blades get lower before maxDistance
-    float widest;          // how much wider blades become, at most; 1: not
+    float widest;          // how much wider blades become where they are thinned linearly, at most; 1: not
+    float widerAMetre;     // at each metre where they are thinned by pixels; 0: not
     float mostLevel;       // greatest level
     float pixelsPerQuad;   // 0: levels by distance
     float near;            // the near plane (m)

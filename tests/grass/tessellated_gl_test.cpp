@@ -183,6 +183,39 @@ TEST(Tessellated, ThinnedBladesCoverAsMuchByTheirWidth) {
     EXPECT_LT(r.stats().bladesGeometry, all);
 }
 
+// Cook, Halstead, Planck and Ryu 2007: where blades are thinner than a share of a pixel.
+TEST(Tessellated, BladesOfAtLeastSomePixelsAreFewerAndCoverAsMuch) {
+    Renderer r(gpu(), tables());
+    Project p = lawnBy(Technique::Tessellated);
+    FlatField f = grassOf(p);
+    f.species[0].clumpSize = 0;
+    f.fade = 0;
+    ViewSettings overdraw = small();
+    overdraw.mode = ViewMode::Overdraw;
+    overdraw.measure = true;
+    const ViewCamera c{{5, 12, -22}, {5, 0, 5}, 22, 0};
+    const auto covers = [&](float leastPixels) {
+        f.leastPixels = leastPixels;
+        return meanOf(pictureOf(r, p, c, overdraw));
+    };
+    f.species[0].bladesPerM2 = 0;
+    const double bare = covers(0);
+    f.species[0].bladesPerM2 = 4000;
+    const double all = covers(0) - bare;
+    const uint64_t blades = r.stats().bladesGeometry;
+    for (const bool stages : {true, false}) {
+        f.tessellation = stages ? Tessellation::Stages : Tessellation::Strips;
+        EXPECT_NEAR(covers(1) - bare, all, 0.1 * all);
+        EXPECT_LT(2 * r.stats().bladesGeometry, blades);
+        f.widening = false;
+        EXPECT_LT(covers(1) - bare, 0.6 * all);  // what they lack is seen
+        f.widening = true;
+    }
+    f.leastPixels = 1e-6f;
+    covers(1e-6f);
+    EXPECT_EQ(r.stats().bladesGeometry, blades);
+}
+
 TEST(Tessellated, EveryViewShowsBlades) {
     Renderer r(gpu(), tables());
     for (const Tessellation way : {Tessellation::Stages, Tessellation::Strips})
@@ -209,6 +242,8 @@ TEST(Tessellated, IsFiniteForBladesOfNoSizeAndExtremeSettings) {
             f.species[0].bend = 2, f.species[0].leanDeg = 90, f.species[0].leanVariationDeg = 90;
         },
         [](const FlatField& f) { f.thinning = 1, f.lowerFrom = 0; },
+        [](const FlatField& f) { f.leastPixels = 1; },
+        [](const FlatField& f) { f.leastPixels = 1, f.species[0].width = 0; },
         [](const FlatField& f) { f.maxDistance = 0.1f; },
         [](const FlatField& f) { f.maxDistance = 1e6f, f.species[0].smoothness = 64, f.species[0].bladesPerM2 = 20; },
         [](const FlatField& f) {

@@ -34,10 +34,16 @@ TEST(TessellatedLevels, ByPixelsTheyFallWithTheDistanceAndAreFullAtTheEye) {
     EXPECT_EQ(before, 1);
 }
 
-TEST(TessellatedLevels, ThinningIsLinearAndLoweringEndsAtTheGround) {
-    EXPECT_EQ(f32::densityKept(0.8f, 0, 0.01f), 0.8f);
-    EXPECT_FLOAT_EQ(f32::densityKept(0.8f, 50, 0.01f), 0.4f);
-    EXPECT_EQ(f32::densityKept(0.8f, 500, 0.01f), 0);
+TEST(TessellatedLevels, ThinningIsLinearOrByPixelsAndLoweringEndsAtTheGround) {
+    EXPECT_EQ(f32::densityKept(0.8f, 0, {0.01f, 1e30f}), 0.8f);
+    EXPECT_FLOAT_EQ(f32::densityKept(0.8f, 50, {0.01f, 1e30f}), 0.4f);
+    EXPECT_EQ(f32::densityKept(0.8f, 500, {0.01f, 1e30f}), 0);
+    const f32::Thinning byPixels{0, 8}, byBoth{0.01f, 8};
+    EXPECT_EQ(f32::densityKept(0.8f, 0, byPixels), 0.8f);
+    EXPECT_EQ(f32::densityKept(0.8f, 8, byPixels), 0.8f);
+    EXPECT_FLOAT_EQ(f32::densityKept(0.8f, 32, byPixels), 0.2f);
+    EXPECT_FLOAT_EQ(f32::densityKept(1, 5, byBoth), 0.95f);
+    EXPECT_FLOAT_EQ(f32::densityKept(1, 80, byBoth), 0.1f);
     EXPECT_EQ(f32::heightKept(10, 25, 1 / 5.0f), 1);
     EXPECT_FLOAT_EQ(f32::heightKept(22.5f, 25, 1 / 5.0f), 0.5f);
     EXPECT_EQ(f32::heightKept(26, 25, 1e6f), 0);
@@ -57,7 +63,7 @@ TEST(TessellatedLevels, ThinnedCellsSendEveryBladeThatIsLeft) {
     const glm::dvec3 eye{15, 1, 1};
     const Frustum all{};  // planes of zeros: everything is inside
     CellQuery q = cellQuery(queryOf(terrain, bounds, field, patch), {eye, all, 100});
-    q.thinning = 0.75f / 20;
+    q.thinning = {0.75f / 20, 6};
     q.levels = {5, 20, 0, q.reach};
     uint64_t sent = 0, left = 0;
     for (const CellDraw& c : selectCells(q)) {
