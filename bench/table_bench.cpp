@@ -5,6 +5,7 @@
 #include "bench/limits.h"
 #include "frame/renderer.h"
 #include "project/project_files.h"
+#include "scene/antialias.h"
 #include "scene/unique.h"
 #include "techniques.h"
 #include "tests/fields.h"
@@ -32,6 +33,7 @@ constexpr Published kTable[] = {
     {"prairie", 90000, kFlowers, 55, 57, 1008000},
 };
 constexpr int kFrames = 3;              // timed, of each
+constexpr float kThinning = 0.6f;       // as published: linear in the distance
 constexpr double kLargestStored = 600;  // metres: the paper's memory ends at 1,000, ours at kMaxUniqueBlades
 
 template <class C>
@@ -66,8 +68,11 @@ std::optional<Project> sceneOf(const Published& row, Population population) {
     }
     if (!(row.added & kObjects)) removeAll<StaticMesh>(*p);
     if (!(row.added & kFlowers)) removeAll<Flowers>(*p);
+    removeAll<Antialias>(*p);
     resize(*p, row.side);
     FlatField f = grassIn(*p);
+    f.leastPixels = 0;
+    f.thinning = std::max(f.thinning, kThinning);
     f.technique = nameOf(Technique::Tessellated);
     f.population = population;
     if (row.side <= kLargestStored) thinToStore(f, *p);
