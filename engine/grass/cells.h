@@ -59,6 +59,7 @@ struct BladeLevels {
     float reach = 0;  // of a blade from its root, m
 };
 
+// Blades that no distance thins.
 inline constexpr f32::Thinning kAllBlades{0, 1e30f};
 
 struct CellQuery {

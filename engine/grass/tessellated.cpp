@@ -61,7 +61,7 @@ float mostWidening(const TessellatedBlades& f) {
     return f.widening ? std::min(1 / std::max(1 - f.thinning, 1e-3f), kMostWidening) : 1;
 }
 
-// Every blade is as wide as leastPixels up to allTo.
+// How the distance thins a species: up to allTo each blade is leastPixels wide by itself, or wider.
 f32::Thinning thinningOf(const TessellatedBlades& f, const Species& species, float pixelsPerMetre) {
     const float allTo =
         f.leastPixels > 0 ? std::max(species.width, 1e-6f) * pixelsPerMetre / f.leastPixels : kAllBlades.allTo;

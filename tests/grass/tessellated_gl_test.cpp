@@ -211,7 +211,6 @@ TEST(Tessellated, BladesOfAtLeastSomePixelsAreFewerAndCoverAsMuch) {
         EXPECT_LT(covers(1) - bare, 0.6 * all);  // what they lack is seen
         f.widening = true;
     }
-    f.leastPixels = 1e-6f;
     covers(1e-6f);
     EXPECT_EQ(r.stats().bladesGeometry, blades);
 }
