@@ -105,40 +105,23 @@ void addMasks(std::vector<CaseCurve>& curves) {
                       .inputs = alongAxis,
                       .value = "way to the cylinder, m",
                       .relative = true});
-    curves.push_back({.id = "B-21",
-                      .name = "mask coordinate between two vertices across the seam",
-                      .where = "shadows of blades on one another",
-                      .source = "shadow.h",
-                      .function = "unwrapTurns",
-                      .picture =
-                          "Between a vertex left of the mask's seam and one right of it the coordinate runs all the "
-                          "way round: a streak of the whole mask on the blade.",
-                      .variable = "azimuth of the middle of two vertices",
-                      .unit = "degrees",
-                      .low = 90,
-                      .high = 270,
-                      .inputs =
-                          [](double at) {
-                              return Inputs{cosDeg(at - 10), sinDeg(at - 10), cosDeg(at + 10), sinDeg(at + 10)};
-                          },
-                      .value = "turns round the mask"});
-    curves.push_back({.id = "B-21",
-                      .name = "mask coordinates of points in and out of the cylinder, light along its axis too",
-                      .where = "shadows of blades on one another",
-                      .source = "shadow.h",
-                      .function = "maskPointOf",
-                      .picture =
-                          "The paper gives no coordinate for light along the axis or points outside; ours leave over "
-                          "the top, unshadowed.",
-                      .variable = "light's angle to the blade's axis",
-                      .unit = "degrees",
-                      .low = 1e-6,
-                      .high = 90,
-                      .scale = CaseScale::Log,
-                      .zero = true,
-                      .inputs = [](double at) { return Inputs{0.01, 0.02, 0.005, 1, 0, sinDeg(at), cosDeg(at), 0}; },
-                      .output = 1,
-                      .value = "height in the mask"});
+    curves.push_back(
+        {.id = "B-21",
+         .name = "mask coordinates of points in and out of the cylinder, light along its axis too",
+         .where = "shadows of blades on one another",
+         .source = "shadow.h",
+         .function = "maskPointOf",
+         .picture = "The paper gives no coordinate for light along the axis or points outside; ours asks for no way "
+                    "out of the cylinder: its mask has a layer for each rise of the light.",
+         .variable = "light's angle to the blade's axis",
+         .unit = "degrees",
+         .low = 1e-6,
+         .high = 90,
+         .scale = CaseScale::Log,
+         .zero = true,
+         .inputs = [](double at) { return Inputs{0.01, 0.02, 0.005, 1, 0, sinDeg(at), cosDeg(at), 0}; },
+         .output = 2,
+         .value = "layer of the mask, as a share"});
     curves.push_back({.id = "B-22",
                       .where = "lamps",
                       .source = "weights.h",

@@ -132,28 +132,26 @@ void addShadowCases(std::vector<FormulaRow>& rows) {
         }
     });
     rows.push_back({
-        .id = "B-21", .name = "mask coordinate between two vertices across the seam", .inputs = 4, .outputs = 1,
-        .ours = BODY(real a = maskTurns(x[0], x[1]); real b = unwrapTurns(maskTurns(x[2], x[3]), a);
-                     y[0] = wrapUnit(0.5f * (a + b));),
-        .published = BODY(y[0] = wrapUnit(0.5f * (atan(x[1], x[0]) + atan(x[3], x[2])) / kTau);),
-        .samples = listed({{-1, 0.17633, -1, -0.17633}, {-1, 1e-3, -1, -1e-3}, {1, 0.25, 1, -0.25}, {0, 0, 0, 0}},
-                          {{0.5}, {0.5}, {0}, {0}}),
-        .tolerance = 2e-7, .gpuTolerance = 1e-5, .methodTolerance = 1e-7, .low = 0, .high = 1, .error = circleError
-    });
-    rows.push_back({
         .id = "B-21", .name = "mask coordinates of points in and out of the cylinder, light along its axis too",
-        .inputs = 8, .outputs = 2,
+        .inputs = 8, .outputs = 3,
         .ours = BODY(MaskPoint p = maskPointOf(vec3(x[0], x[1], x[2]), vec2(x[3], x[4]), vec3(x[5], x[6], x[7]),
                                                real(0.05), real(0.1));
-                     y[0] = wrapUnit(p.turn); y[1] = p.height;),
+                     y[0] = wrapUnit(p.turn); y[1] = p.height; y[2] = p.rise;),
         .samples = listed({{0, 0, 0, 1, 0, 0, 1, 0},
                            {0, 0.02, 0, 0, 1, 0.6, 0.8, 0},
                            {0, 0.02, 0, 1, 0, -0.6, 0.8, 0},
                            {0.2, 0, 0, 1, 0, 0.6, 0.8, 0},
+                           {0, 0.02, 0.03125, 1, 0, 0.6, 0.8, 0},
                            {0, 0.05, 0, 1, 0, 0.6, -0.8, 0},
                            {0.01, 0.05, 0, 1, 0, 0, 0, 0}},
-                          {{0, 2}, {0.75, 0.2 + 2 / 3.0}, {0.5, 0.2 + 2 / 3.0}, {0, 2 / 3.0}, {0, 0}, {0, 0.5}}),
-        .tolerance = 2e-6, .gpuTolerance = 1e-5, .methodTolerance = 1e-6, .low = 0, .high = 2,
+                          {{0, 0, 1},
+                           {0.75, 0.2, 4 / 7.0},
+                           {0.5, 0.2, 4 / 7.0},
+                           {0, 0, 4 / 7.0},
+                           {0.03125 / (0.05 * 6.283185307179586), 0.2, 4 / 7.0},
+                           {0, 0.5, 0},
+                           {0, 0.5, 0}}),
+        .tolerance = 2e-6, .gpuTolerance = 1e-5, .methodTolerance = 1e-6, .low = 0, .high = 1,
         .error = [](double got, double want, double) {
             return std::min(std::abs(got - want), std::abs(std::abs(got - want) - 1));
         }

@@ -125,21 +125,20 @@ Texture makeTextureArray(Gpu& gpu, const std::string& owner, GLenum format, int 
             format};
 }
 
-Texture makeTexture3D(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int depth) {
+Texture makeTexture3D(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int depth, int levels) {
     GLuint id = 0;
     glCreateTextures(GL_TEXTURE_3D, 1, &id);
-    glTextureStorage3D(id, 1, format, width, height, depth);
+    glTextureStorage3D(id, levels, format, width, height, depth);
     throwWithoutMemory();
     glTextureParameteri(id, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
     glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR);
     glObjectLabel(GL_TEXTURE, id, -1, owner.c_str());
-    return {GlName<TextureKind>(id),
-            Tally(gpu, owner, imageBytes(format, width, height) * static_cast<size_t>(depth)),
-            width,
-            height,
-            1,
-            format};
+    size_t bytes = 0;
+    for (int l = 0; l < levels; ++l)
+        bytes += imageBytes(format, std::max(width >> l, 1), std::max(height >> l, 1)) *
+                 static_cast<size_t>(std::max(depth >> l, 1));
+    return {GlName<TextureKind>(id), Tally(gpu, owner, bytes), width, height, levels, format};
 }
 
 Texture makeTexture2DMultisample(Gpu& gpu, const std::string& owner, GLenum format, int width, int height,

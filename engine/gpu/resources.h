@@ -116,7 +116,8 @@ Texture makeTexture2D(Gpu& gpu, const std::string& owner, GLenum format, int wid
 // Layers of one size, with their full chain of levels; trilinear, clamped.
 Texture makeTextureArray(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int layers);
 // Linearly filtered along all three axes, repeated along the first two, of one level.
-Texture makeTexture3D(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int depth);
+Texture makeTexture3D(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int depth,
+                      int levels = 1);
 // `samples` a texel, 1 to Gpu::maxSamples; no levels.
 Texture makeTexture2DMultisample(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int samples);
 // depth may be of a format with a stencil; 0: none.

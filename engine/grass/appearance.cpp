@@ -336,8 +336,11 @@ float grazedHeight(const Look& look) {
 
 float maskPasses(const BladeShade& shade, float height, const glm::vec3& light) {
     const f32::MaskPoint at = f32::maskPointOf({0, height, 0}, {1, 0}, light, shade.radius, shade.top);
-    const size_t n = shade.rows.size();
-    return shade.rows[std::min(static_cast<size_t>(at.height * static_cast<float>(n)), n - 1)];
+    const int rows = static_cast<int>(shade.rows.size()) / shade.layers;
+    const f32::BilinearTap tap = f32::bilinearTap(at.height, at.rise, rows, shade.layers);
+    const auto mean = [&](int row, int layer) { return shade.rows[static_cast<size_t>(layer * rows + row)]; };
+    return f32::bilinearMix(mean(tap.x0, tap.y0), mean(tap.x1, tap.y0), mean(tap.x0, tap.y1), mean(tap.x1, tap.y1),
+                            tap.fx, tap.fy);
 }
 
 void updateLook(Look& look, uint64_t& madeFrom, const Species& s, const Patch& patch, uint64_t key,

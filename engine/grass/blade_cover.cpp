@@ -19,6 +19,21 @@ AlphaMoments alphaMoments(const Rgba8& image) {
     return out[0] > 1e-6 ? out : AlphaMoments{1e-6, 0.5e-6, 1e-6 / 3, 0.25e-6};
 }
 
+std::vector<float> alphaAlong(const Rgba8& image, int parts) {
+    std::vector<float> out(static_cast<size_t>(parts), 1.0f);
+    if (image.pixels.empty()) return out;
+    for (int i = 0; i < parts; ++i) {
+        const int from = std::min(i * image.height / parts, image.height - 1),
+                  to = std::max((i + 1) * image.height / parts, from + 1);
+        double alpha = 0;
+        for (int y = from; y < to; ++y)
+            for (int x = 0; x < image.width; ++x)
+                alpha += image.pixels[static_cast<size_t>(4 * (y * image.width + x) + 3)];
+        out[static_cast<size_t>(i)] = static_cast<float>(alpha / (255.0 * image.width * (to - from)));
+    }
+    return out;
+}
+
 void setCover(SpeciesGlobals& g, const AlphaMoments& m) {
     // The spline is control times 2v(1 - v) and tip times v^2; the reach is its derivative, weighted.
     g.middle = glm::vec2(2 * (m[1] - m[2]), m[2]) / static_cast<float>(m[0]);

@@ -13,6 +13,8 @@ namespace sward {
 // whole rectangle.
 using AlphaMoments = std::array<double, 4>;
 AlphaMoments alphaMoments(const Rgba8& image);
+// Means of the image's alpha over so many even parts of its length, at least 1, from the root; of no image, 1.
+std::vector<float> alphaAlong(const Rgba8& image, int parts);
 // Writes what shaders need of them: SpeciesGlobals from `middle` on.
 void setCover(SpeciesGlobals& g, const AlphaMoments& m);
 

@@ -14,7 +14,9 @@ namespace sward {
 struct BladeShade {
     GLuint texture = 0;
     float radius = 0, top = 0;  // of the mask's cylinder, metres
-    std::vector<float> rows;    // mean of the mask's rows at density 1, from the ground up
+    float reach = 0;            // how far from a blade stands what shades it, metres
+    int layers = 1;             // of the mask
+    std::vector<float> rows;    // mean of the mask's rows at density 1, layer by layer, each from the ground up
 };
 
 // The light that a field stands in.

@@ -63,7 +63,7 @@ void writeGlobals(DrawContext& ctx, GrownSpecies& s, const GrownField& field, si
     g.area = {s.look.across, s.look.above};
     setCover(g, s.cover);
     setTraced(g, field.draws(Feature::GrassTraced) ? tracedOf(ctx, field.name, index) : nullptr);
-    g.maskRadius = s.shade.radius, g.maskHeight = s.shade.top;
+    g.maskRadius = s.shade.radius, g.maskHeight = s.shade.top, g.maskReach = s.shade.reach;
     const uint64_t hash = hashBytes(&g, sizeof(g));
     if (s.globals.id() && s.globalsHash == hash) return;
     s.globalsHash = hash;

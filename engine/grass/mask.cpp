@@ -3,17 +3,22 @@
 #include "core/hash.h"
 #include "core/numerics.h"
 #include "frame/draw_context.h"
+#include "grass/blade_cover.h"
 #include "grass/drawing.h"
 #include "grass/grass_fields.h"
+#include "grass/grown.h"
 
 namespace sward {
 namespace {
 
 constexpr const char* kOwner = "grass/mask";
-constexpr int kFine = 4;             // rasterised finer by this, each way
-constexpr int kSteps = 8;            // pieces of a blade's curve
-constexpr double kMostBlades = 2e4;  // more than that hide everything
+constexpr int kFine = 2;             // rasterised finer by this, each way
+constexpr int kSteps = 12;           // pieces of a blade's curve
+constexpr double kMostBlades = 2e4;  // in a section: more than that hide everything
+constexpr int kTries = 6;            // sections, of which the one that lets through most nearly their mean is taken
+constexpr float kDepths = 24;        // optical depths of full density that a section is thick, at most
 
+float spacingOf(const Species& s) { return 1 / std::sqrt(std::max(s.bladesPerM2, 1e-3f)); }
 float meanTip(const Patch& patch) {
     float sum = 0;
     for (const Blade& b : patch.blades) sum += b.tip.y;
@@ -25,13 +30,28 @@ float highestTip(const Patch& patch) {
     return most;
 }
 
-// The section, finely: in every place the lowest threshold of the blades that cover it, 2 where none does.
+// How wide a blade is seen from the side, over all azimuths and along it. alpha: of its pieces.
+float meanWidth(const Patch& patch, const std::vector<float>& alpha) {
+    float sum = 0, seen = 0;
+    for (const Blade& b : patch.blades) sum += b.width;
+    for (const float a : alpha) seen += a / static_cast<float>(alpha.size());
+    return patch.blades.empty() ? 0 : 0.63662f * seen * sum / static_cast<float>(patch.blades.size());
+}
+
+// The section of one layer, finely: in every place the lowest threshold of the blades that cover it, 2 where none does.
 struct Section {
     int width, height;
-    float metre;  // places a metre
+    glm::vec2 metre;                  // places a metre, across and up
+    float slope;                      // metres that light rises over one
+    const std::vector<float>& alpha;  // of a blade's pieces: it is as much narrower
     std::vector<float> lowest;
-    Section(int w, int h, float perMetre)
-        : width(w), height(h), metre(perMetre), lowest(static_cast<size_t>(w) * static_cast<size_t>(h), 2.0f) {}
+    Section(int w, int h, const glm::vec2& perMetre, float rises, const std::vector<float>& pieces)
+        : width(w),
+          height(h),
+          metre(perMetre),
+          slope(rises),
+          alpha(pieces),
+          lowest(static_cast<size_t>(w) * static_cast<size_t>(h), 2.0f) {}
 
     // Marks places from `from` to `to` in a row (both in places); columns wrap.
     void mark(int row, float from, float to, float threshold) {
@@ -44,43 +64,54 @@ struct Section {
             place = std::min(place, threshold);
         }
     }
-    // One piece of a blade between two points, with their half widths.
-    void piece(const glm::vec2& a, const glm::vec2& b, float halfA, float halfB, float threshold) {
-        const int steps = 1 + static_cast<int>(2 * std::min(glm::length(b - a), 1e4f));
+    // One piece of a blade between two places.
+    void piece(const glm::vec2& a, const glm::vec2& b, float half, float threshold) {
+        const float high = static_cast<float>(height);
+        if (std::max(a.y, b.y) < 0 || std::min(a.y, b.y) >= high) return;
+        const int steps = 1 + static_cast<int>(2 * std::min(glm::length(b - a), static_cast<float>(width + height)));
         for (int i = 0; i < steps; ++i) {
             const float t = (static_cast<float>(i) + 0.5f) / static_cast<float>(steps);
             const glm::vec2 p = glm::mix(a, b, t);
-            const float half = glm::mix(halfA, halfB, t);
             mark(static_cast<int>(std::floor(p.y)), p.x - half, p.x + half, threshold);
         }
     }
-    // A blade seen along z, with its root at x metres. Its strip tapers as its texture's alpha does.
-    void blade(const Blade& b, float threshold, float x) {
-        const float seenWidth = 0.5f * b.width * std::abs(b.facing.y) * metre;
-        glm::vec2 before(x * metre, 0);
+    // A blade seen along z, with its root so far across and off; what of it lies before the section does not count.
+    void blade(const Blade& b, float threshold, float across, float off) {
+        const float seenWidth = 0.5f * b.width * std::abs(b.facing.y) * metre.x;
+        glm::vec3 before(0);
         for (int i = 1; i <= kSteps; ++i) {
-            const float v0 = static_cast<float>(i - 1) / kSteps, v1 = static_cast<float>(i) / kSteps;
-            const glm::vec3 p = f32::bladePosition(b.control, b.tip, v1);
-            const glm::vec2 now((x + p.x) * metre, p.y * metre);
-            piece(before, now, seenWidth * (1 - v0 * v0), seenWidth * (1 - v1 * v1), threshold);
+            const glm::vec3 now = f32::bladePosition(b.control, b.tip, static_cast<float>(i) / kSteps);
+            const auto place = [&](const glm::vec3& p) {
+                return glm::vec2(across + p.x, p.y - slope * (off + p.z)) * metre;
+            };
+            if (off + 0.5f * (before.z + now.z) > 0)
+                piece(place(before), place(now), seenWidth * alpha[static_cast<size_t>(i - 1)], threshold);
             before = now;
         }
     }
 };
 
-// All blades whose roots lie in [0, length) x [0, thickness) of the field that repeats the patch, each with its
-// threshold there.
-void drawSection(Section& s, const Patch& patch, float cellSize, float length, float thickness) {
-    int row = 0;
-    for (float z0 = 0; z0 < thickness; z0 += cellSize, ++row) {
-        int column = 0;
-        for (float x0 = 0; x0 < length; x0 += cellSize, ++column) {
+// All blades whose roots lie in a piece of the field that repeats the patch, each with its threshold there; and those
+// before it, as far as they may lean. Roots are stratified: about a blade's own, where the piece begins, is a gap.
+struct Piece {
+    float length, thickness;  // metres
+    float lean;               // how far blades may lean into it, metres
+    float gap;                // without roots, to either side of its beginning, metres
+    glm::vec2 from;           // its corner in the field
+};
+void drawSection(Section& s, const Patch& patch, float cellSize, const Piece& piece) {
+    const auto cells = [&](float metres) { return static_cast<int>(std::floor(metres / cellSize)); };
+    for (int row = cells(piece.from.y - piece.lean); row <= cells(piece.from.y + piece.thickness); ++row)
+        for (int column = cells(piece.from.x); column <= cells(piece.from.x + piece.length); ++column) {
             const float chance = f32::cellChance(column, row, 0);
-            for (const Blade& b : patch.blades)
-                if (x0 + b.root.x < length && z0 + b.root.y < thickness)
-                    s.blade(b, f32::thresholdIn(b.threshold, patch.sown, chance), x0 + b.root.x);
+            const glm::vec2 corner = glm::vec2(column, row) * cellSize - piece.from;
+            for (const Blade& b : patch.blades) {
+                const glm::vec2 root = corner + b.root;
+                if (root.x >= 0 && root.x < piece.length && root.y < piece.thickness && std::abs(root.y) >= piece.gap &&
+                    root.y + std::max(b.control.z, b.tip.z) > 0)
+                    s.blade(b, f32::thresholdIn(b.threshold, patch.sown, chance), root.x, root.y);
+            }
         }
-    }
 }
 
 // Share of a texel's places that are free at a density.
@@ -105,13 +136,30 @@ struct MaskState : EffectState {
 
 namespace {
 
-// Two levels and no more: a thin blade's coordinates leap from pixel to pixel, and the mean over all heights that they
-// would ask for is the dark of the roots, where what is seen of dense grass are its tips.
+// Of half a mask's rows and layers, each row the mean around.
+std::vector<uint8_t> meansAround(const BladeMask& m) {
+    const int width = m.width / 2, height = m.height / 2;
+    std::vector<uint8_t> out;
+    for (int layer = 0; layer < kMaskLayers; layer += 2)
+        for (int row = 0; row < 2 * height; row += 2) {
+            std::array<int, 4> sum{};
+            for (int i = 0; i < 4 * m.width; ++i)
+                for (int c = 0; c < 4; ++c)
+                    sum[static_cast<size_t>(c)] += m.at(layer + i % 2, row + i / 2 % 2, i / 4)[c];
+            for (int x = 0; x < width; ++x)
+                for (const int s : sum) out.push_back(static_cast<uint8_t>(s / (4 * m.width)));
+        }
+    return out;
+}
+// Level 1 is no smaller picture, but its rows' means (lib/mask.glsl); there is none beyond: a thin blade's coordinates
+// leap from pixel to pixel, and the mean over all heights that they would ask for is the dark of the roots, where what
+// is seen of dense grass are its tips.
 Texture uploadMask(Gpu& gpu, const BladeMask& m) {
-    Texture t = makeTexture2D(gpu, kOwner, GL_RGBA8, m.width, m.height, 2, true);
+    Texture t = makeTexture3D(gpu, kOwner, GL_RGBA8, m.width, m.height, kMaskLayers, 2);
+    glTextureSubImage3D(t.id(), 1, 0, 0, 0, m.width / 2, m.height / 2, kMaskLayers / 2, GL_RGBA, GL_UNSIGNED_BYTE,
+                        meansAround(m).data());
     glTextureParameteri(t.id(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    glTextureSubImage2D(t.id(), 0, 0, 0, m.width, m.height, GL_RGBA, GL_UNSIGNED_BYTE, m.pixels.data());
-    glGenerateTextureMipmap(t.id());
+    glTextureSubImage3D(t.id(), 0, 0, 0, 0, m.width, m.height, kMaskLayers, GL_RGBA, GL_UNSIGNED_BYTE, m.pixels.data());
     return t;
 }
 
@@ -119,13 +167,16 @@ void updateMask(DrawContext& ctx, MaskState::One& one, const Species& species, c
     const GrassField& f = field.grows;
     const int width = field.settings<GrassDrawing>().shadowMask;
     const uint32_t seed = static_cast<uint32_t>(f.seed);
-    const uint64_t parts[] = {patchKey(species, f.cellSize, seed), static_cast<uint64_t>(width)},
+    const uint64_t parts[] = {patchKey(species, f.cellSize, seed), static_cast<uint64_t>(width),
+                              hashBytes(species.texture.data(), species.texture.size())},
                    key = hashBytes(parts, sizeof(parts));
     if (one.key == key && one.texture.id()) return;
     one.key = key;
-    const BladeMask mask = makeBladeMask(species, makePatch(species, f.cellSize, seed), f.cellSize, width);
+    const BladeMask mask = makeBladeMask(species, makePatch(species, f.cellSize, seed), f.cellSize, width,
+                                         bladeImage(ctx.project, species));
     one.texture = uploadMask(ctx.gpu, mask);
-    one.shade = {one.texture.id(), mask.radius, mask.top, maskRows(mask)};
+    one.shade = shadeBy(mask);
+    one.shade.texture = one.texture.id();
 }
 
 void update(DrawContext& ctx) {
@@ -143,36 +194,75 @@ void update(DrawContext& ctx) {
 
 const System kSystems[] = {{"grass/mask", {.writes = {Slot::Masks}}, update, true}};
 
-}  // namespace
-
-BladeMask makeBladeMask(const Species& species, const Patch& patch, float cellSize, int width) {
-    BladeMask m;
-    const float spacing = 1 / std::sqrt(std::max(species.bladesPerM2, 1e-3f));
-    m.radius = std::max({0.5f * meanTip(patch), 1.5f * spacing, 1e-3f});
-    m.top = std::max(1.05f * highestTip(patch), 1e-3f);
-    const float girth = 6.2831853f * m.radius;
-    m.width = std::max(width, 4);
-    m.height = std::clamp(static_cast<int>(std::lround(static_cast<float>(m.width) * m.top / girth)), 4, 4 * m.width);
-    Section s(m.width * kFine, m.height * kFine, static_cast<float>(m.width * kFine) / girth);
-    const double most = kMostBlades / std::max(double(species.bladesPerM2) * girth, 1e-9);
-    drawSection(s, patch, cellSize, girth, static_cast<float>(std::min(2.0 * m.radius, most)));
-    m.pixels.assign(static_cast<size_t>(m.width) * static_cast<size_t>(m.height) * 4, 255);
-    for (int y = 0; y + 1 < m.height; ++y)
-        for (int x = 0; x < m.width; ++x)
-            for (int c = 0; c < 4; ++c)
-                m.pixels[static_cast<size_t>((y * m.width + x) * 4 + c)] =
-                    freeShare(s, x, y, 0.25f * static_cast<float>(c + 1));
-    return m;
+// Draws all layers; from: the corner of what they show, in metres of the field.
+void drawLayers(BladeMask& m, const Species& species, const Patch& patch, float cellSize,
+                const std::vector<float>& alpha, const glm::vec2& from) {
+    m.pixels.assign(static_cast<size_t>(m.width) * static_cast<size_t>(m.height) * kMaskLayers * 4, 255);
+    const float girth = 6.2831853f * m.radius, wide = std::max(meanWidth(patch, alpha), 1e-9f);
+    const double blades = std::max(double(species.bladesPerM2), 1e-9),
+                 most = std::min(kMostBlades / double(girth), double(kDepths / wide)) / blades;
+    for (int layer = 0; layer < kMaskLayers; ++layer) {
+        const float slope = f32::maskSlope((static_cast<float>(layer) + 0.5f) / kMaskLayers);
+        Section s(m.width * kFine, m.height * kFine,
+                  glm::vec2(m.width, m.height) * float(kFine) / glm::vec2(girth, m.top), slope, alpha);
+        const auto thickness = static_cast<float>(std::min(double(m.top / slope), most));
+        drawSection(s, patch, cellSize,
+                    {girth, thickness, std::min(m.top, 4 * cellSize), 0.5f * spacingOf(species), from});
+        for (int y = 0; y + 1 < m.height; ++y)
+            for (int x = 0; x < m.width; ++x)
+                for (int c = 0; c < 4; ++c)
+                    m.pixels[static_cast<size_t>(((layer * m.height + y) * m.width + x) * 4 + c)] =
+                        freeShare(s, x, y, 0.25f * static_cast<float>(c + 1));
+    }
 }
 
-std::vector<float> maskRows(const BladeMask& m) {
-    std::vector<float> rows(static_cast<size_t>(m.height), 0.0f);
-    for (int y = 0; y < m.height; ++y)
-        for (int x = 0; x < m.width; ++x)
-            rows[static_cast<size_t>(y)] +=
-                static_cast<float>(m.pixels[static_cast<size_t>((y * m.width + x) * 4 + 3)]) /
-                (255.0f * static_cast<float>(m.width));
-    return rows;
+// A section is as long as some blades are wide: by chance it lets through a tenth more or less than the field.
+BladeMask mostNearlyMean(std::vector<BladeMask>& tries) {
+    std::vector<std::vector<float>> rows;
+    for (const BladeMask& m : tries) rows.push_back(shadeBy(m).rows);
+    const auto off = [&](size_t of) {
+        float sum = 0;
+        for (size_t row = 0; row < rows[of].size(); ++row) {
+            float mean = 0;
+            for (const auto& one : rows) mean += one[row] / static_cast<float>(rows.size());
+            sum += (rows[of][row] - mean) * (rows[of][row] - mean);
+        }
+        return sum;
+    };
+    size_t best = 0;
+    float least = off(0);
+    for (size_t i = 1; i < tries.size(); ++i)
+        if (const float here = off(i); here < least) best = i, least = here;
+    return std::move(tries[best]);
+}
+
+}  // namespace
+
+BladeMask makeBladeMask(const Species& species, const Patch& patch, float cellSize, int width, const Rgba8& image) {
+    BladeMask m;
+    const std::vector<float> alpha = alphaAlong(image, kSteps);
+    const float wide = meanWidth(patch, alpha);
+    m.reach = std::max({0.5f * meanTip(patch), 1.5f * spacingOf(species), 1e-3f});
+    m.top = std::max(1.05f * highestTip(patch), 1e-3f);
+    m.width = std::max(width, 4);
+    m.height = std::max(m.width, 4);
+    m.radius = std::clamp(0.5f * static_cast<float>(m.width) * wide / 6.2831853f, 1e-3f, m.reach);
+    std::vector<BladeMask> tries(kTries, m);
+    for (int i = 0; i < kTries; ++i)
+        drawLayers(tries[static_cast<size_t>(i)], species, patch, cellSize, alpha,
+                   glm::vec2(0.381966f, 0.618034f) * float(i));
+    return mostNearlyMean(tries);
+}
+
+BladeShade shadeBy(const BladeMask& m) {
+    BladeShade shade{0, m.radius, m.top, m.reach, kMaskLayers, {}};
+    for (int layer = 0; layer < kMaskLayers; ++layer)
+        for (int y = 0; y < m.height; ++y) {
+            float sum = 0;
+            for (int x = 0; x < m.width; ++x) sum += m.at(layer, y, x)[3];
+            shade.rows.push_back(sum / (255.0f * static_cast<float>(m.width)));
+        }
+    return shade;
 }
 
 BladeShade shadeOf(const DrawContext& ctx, const std::string& field, size_t species) {

@@ -191,8 +191,9 @@ struct Shader {
     const SliceSpec& spec;
     const Patch& patch;
     std::vector<glm::vec3> veins = linearVeins(spec.blade);
-    BladeMask mask = spec.shadowMask > 0 ? makeBladeMask(spec.species, patch, spec.cellSize, spec.shadowMask)
-                                         : BladeMask{};
+    BladeMask mask = spec.shadowMask > 0
+                         ? makeBladeMask(spec.species, patch, spec.cellSize, spec.shadowMask, spec.blade)
+                         : BladeMask{};
 
     // Share of light that passes the neighbours to a point of a blade.
     float passes(const Blade& b, const f32::BladeFrame& f, const glm::vec3& light, float open) const {
@@ -201,9 +202,9 @@ struct Shader {
             light.y > 0 ? light : glm::vec3(0.8191520f * light.x, 0.5735764f, 0.8191520f * light.z);
         const f32::MaskPoint p = f32::maskPointOf(f.position, b.facing, raised, mask.radius, mask.top);
         const int x = static_cast<int>(std::floor(p.turn * mask.width)),
-                  y = std::min(static_cast<int>(p.height * mask.height), mask.height - 1);
-        return mask.pixels[static_cast<size_t>((y * mask.width + (x % mask.width + mask.width) % mask.width) * 4 + 3)] /
-               255.0f;
+                  y = std::min(static_cast<int>(p.height * mask.height), mask.height - 1),
+                  layer = std::min(static_cast<int>(p.rise * kMaskLayers), kMaskLayers - 1);
+        return static_cast<float>(mask.at(layer, y, (x % mask.width + mask.width) % mask.width)[3]) / 255.0f;
     }
 
     Shaded shade(const Slab& slab, const std::array<glm::vec3, kLights>& lights, const Sample& s) const {

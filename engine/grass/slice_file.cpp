@@ -10,7 +10,7 @@ namespace sward {
 namespace {
 
 constexpr char kMagic[8] = {'S', 'W', 'S', 'L', 'I', 'C', 'E', 'S'};
-constexpr uint32_t kVersion = 3;
+constexpr uint32_t kVersion = 4;
 constexpr uint64_t kFileLimit = uint64_t(1) << 30;
 
 struct Head {

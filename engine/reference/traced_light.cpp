@@ -20,7 +20,7 @@
 namespace sward {
 namespace {
 
-constexpr uint32_t kVersion = 14;  // of the method: another one gives other factors
+constexpr uint32_t kVersion = 15;  // of the method: another one gives other factors
 constexpr int kRays = 2000;        // that meet a blade, a view
 constexpr int kParts = 16;         // of a view's rays, each with its own sums, so that any number of threads adds alike
 constexpr int kMostBounces = 12;
@@ -72,8 +72,8 @@ Result<Lawn> lawnOf(const TracedSpec& spec, bool leaning = false) {
     const Patch patch = makePatch(s.species, s.cellSize, s.seed);
     for (const Blade& b : patch.blades) lawn.height = std::max({lawn.height, b.tip.y, b.control.y});
     lawn.height *= 1.05f;
-    const BladeMask mask = makeBladeMask(s.species, patch, s.cellSize, s.shadowMask);
-    lawn.shade = {0, mask.radius, mask.top, maskRows(mask)};
+    const BladeMask mask = makeBladeMask(s.species, patch, s.cellSize, s.shadowMask, s.blade);
+    lawn.shade = shadeBy(mask);
     return lawn;
 }
 

@@ -8,7 +8,7 @@ for _, name in ipairs(entity.list()) do entity.remove(name) end
 
 entity.add("ground", { Terrain = { beyond = "fade", size = { size, size }, groundColor = { 0.13, 0.1, 0.065 }, gridSpacing = 0.5 } })
 entity.add("field", { GrassField = {
-    technique = "tessellated", maxDistance = 30, cellSize = 1, minGeom = 5, maxGeom = 12, minBTF = 25, maxBTF = 40, slices = 16, sliceWidth = 512, sliceHeight = 128, farSize = 512,
+    technique = "tessellated", cellSize = 1, minGeom = 5, maxGeom = 12, minBTF = 25, maxBTF = 40, slices = 16, sliceWidth = 512, sliceHeight = 128, farSize = 512,
     species = {
         { name = "wheat", bladesPerM2 = 900, height = 0.85, heightVariation = 0.12, width = 0.024, bend = 0.35,
           leanDeg = 9, leanVariationDeg = 8, segments = 5, smoothness = 6, texture = "maps/ear.png", clumpSize = 0.8, clumpStrength = 0.5, translucency = 0.5, gloss = 0.3,
@@ -17,7 +17,8 @@ entity.add("field", { GrassField = {
           leanDeg = 18, leanVariationDeg = 20, stiffness = 0.6, segments = 4, clumpSize = 0.8, clumpStrength = 0.4, translucency = 0.6,
           rootColor = { 0.12, 0.11, 0.04 }, midColor = { 0.24, 0.2, 0.07 }, tipColor = { 0.33, 0.25, 0.1 } },
     },
-} })
+}, TessellatedBlades = { maxDistance = 30, leastPixels = 0.5, thinning = 0 } })
+entity.add("antialias", { Antialias = { antialias = "temporal" } })
 entity.add("sun", { Light = { azimuthDeg = 235, elevationDeg = 24 } })
 entity.add("sky", { Sky = { model = "atmosphere", turbidity = 1.5 } })
 entity.add("haze", { Fog = { visibility = 4000 } })

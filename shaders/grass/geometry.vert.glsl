@@ -14,7 +14,7 @@
 centroid out vec4 lit;
 centroid out vec4 sunned;  // as BladeLight has them
 centroid out vec3 turned;
-centroid out vec2 maskAt;
+centroid out vec3 maskAt;
 centroid out vec3 strip;  // across, along; opacity
 flat out uint grain;      // a random number of the blade
 out vec3 moved;           // metres since the frame before
@@ -25,7 +25,7 @@ void main() {
     lit = vec4(0.0);
     sunned = vec4(0.0);
     turned = vec3(0.0);
-    maskAt = vec2(0.0);
+    maskAt = vec3(0.0);
     strip = vec3(0.0);
     grain = 0u;
     moved = vec3(0.0);
@@ -42,7 +42,7 @@ void main() {
     BladeLight light = lightBlade(
         Lit(bladeColor(b.hue, b.lightness * lighter, s.v, s.cell.middleLacked, s.uv), f.normal, n,
             unitOr(-position, 1e-6, n), position, fromRoot, pose.facing, pose.upright,
-            groundSlope(s.ground, s.root.y, species.maskRadius), mix(species.rootOpen, 1.0, s.v), s.density, 1.0),
+            groundSlope(s.ground, s.root.y, species.maskReach), mix(species.rootOpen, 1.0, s.v), s.density, 1.0, 1.0),
         s.uv);
     lit = light.lit, sunned = light.sunned, turned = light.turned, maskAt = light.maskAt;
     if (viewMode() == VIEW_NORMALS) lit.rgb = n * 0.5 + 0.5;

@@ -4,12 +4,12 @@ layout(vertices = 1) out;
 in vec4 bladeRoot[], bladeControl[], bladeTip[], bladeFacing[], bladePaint[];
 in vec4 bladeUpright[];
 in vec3 bladeControlBefore[], bladeTipBefore[];
-in vec2 bladeSlope[];
+in vec3 bladeSlope[];
 flat in uint bladeGrain[];
 out vec4 stemRoot[], stemControl[], stemTip[], stemFacing[], stemPaint[];
 out vec4 stemUpright[];
 out vec3 stemControlBefore[], stemTipBefore[];
-out vec2 stemSlope[];
+out vec3 stemSlope[];
 flat out uint stemGrain[];
 
 void main() {

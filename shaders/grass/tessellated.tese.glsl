@@ -11,12 +11,12 @@ layout(quads, equal_spacing, ccw) in;
 in vec4 stemRoot[], stemControl[], stemTip[], stemFacing[], stemPaint[];
 in vec4 stemUpright[];
 in vec3 stemControlBefore[], stemTipBefore[];
-in vec2 stemSlope[];
+in vec3 stemSlope[];
 flat in uint stemGrain[];
 centroid out vec4 lit;  // as in geometry.vert.glsl
 centroid out vec4 sunned;
 centroid out vec3 turned;
-centroid out vec2 maskAt;
+centroid out vec3 maskAt;
 centroid out vec3 strip;  // across (-1: a plain triangle), along; opacity
 flat out uint grain;
 out vec3 moved;
@@ -28,7 +28,8 @@ TessBlade patchBlade() {
     t.pose.facing = stemFacing[0].xy;
     t.pose.upright = stemUpright[0].xyz;
     t.high = stemUpright[0].w;
-    t.slope = stemSlope[0];
+    t.slope = stemSlope[0].xy;
+    t.own = stemSlope[0].z;
     if (TEMPORAL) t.before.control = stemControlBefore[0], t.before.tip = stemTipBefore[0];
     t.root = stemRoot[0].xyz;
     t.uv = stemPaint[0].zw;

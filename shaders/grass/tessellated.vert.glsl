@@ -9,7 +9,7 @@ out vec4 bladeControl;  // w: width
 out vec4 bladeTip;      // w: opacity
 out vec4 bladeFacing;   // z: 1 if it is a plain triangle; w: density
 out vec4 bladeUpright;  // of its pose; w: share of its height
-out vec2 bladeSlope;    // of the ground
+out vec3 bladeSlope;    // of the ground; z: share of shadow that is its own
 out vec3 bladeControlBefore, bladeTipBefore;
 out vec4 bladePaint;  // hue, lightness; where on the terrain
 flat out uint bladeGrain;
@@ -21,7 +21,7 @@ void main() {
     bladeRoot = bladeControl = bladeTip = bladeFacing = bladePaint = vec4(0.0);
     bladeControlBefore = bladeTipBefore = vec3(0.0);
     bladeUpright = vec4(0.0);
-    bladeSlope = vec2(0.0);
+    bladeSlope = vec3(0.0);
     bladeGrain = 0u;
     gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
     if (t.level == 0) return;
@@ -30,7 +30,7 @@ void main() {
     bladeTip = vec4(t.pose.tip, t.opacity);
     bladeFacing = vec4(t.pose.facing, t.plain ? 1.0 : 0.0, t.density);
     bladeUpright = vec4(t.pose.upright, t.high);
-    bladeSlope = t.slope;
+    bladeSlope = vec3(t.slope, t.own);
     if (TEMPORAL) bladeControlBefore = t.before.control, bladeTipBefore = t.before.tip;
     bladePaint = vec4(t.hue, t.lightness, t.uv);
     bladeGrain = t.grain;

@@ -1,6 +1,7 @@
 // A vertex that the compute pass has posed and lit: passed on.
 #include "lib/frame.glsl"
 #include "lib/mirror.glsl"
+#include "shared/tess.h"
 
 layout(location = 0) in vec4 at;  // in clip space
 layout(location = 1) in vec4 light;
@@ -10,13 +11,14 @@ layout(location = 3)
 layout(location = 4) in vec4 sun;
 layout(location = 5) in vec2 turn;
 layout(location = 6) in float highlight;
-layout(location = 7) in vec2 shadowAt;
-layout(location = 8) in vec3 since;
+layout(location = 7) in float shadowTurn;  // by MASK_TURNS
+layout(location = 8) in vec2 shadowPlace;  // the rest of maskAt
+layout(location = 9) in vec3 since;
 
 centroid out vec4 lit;  // as in geometry.vert.glsl
 centroid out vec4 sunned;
 centroid out vec3 turned;
-centroid out vec2 maskAt;
+centroid out vec3 maskAt;
 centroid out vec3 strip;
 flat out uint grain;
 out vec3 moved;
@@ -30,7 +32,7 @@ void main() {
     lit = light;
     sunned = sun;
     turned = vec3(turn, highlight);
-    maskAt = shadowAt;
+    maskAt = vec3(shadowTurn * MASK_TURNS, shadowPlace);
     moved = TEMPORAL ? since : vec3(0.0);
     strip = vec3((number & (1u << 30)) != 0u ? -1.0 : float(number >> 31), along);
     grain = number & 0x3FFFFFFFu;

@@ -42,13 +42,13 @@ struct Lit {
     vec2 slope;    // of the ground
     float open, density;
     float stands;  // share of what grows there that is not pressed down (lightBlade)
+    float own;     // share of its neighbours' shadow that is its own: the rest is the mean of blades that it stands for
 };
 // Where in the shadow mask it is, for a light.
-vec2 maskFor(vec3 fromRoot, vec2 facing, vec3 upright, vec2 slope, vec3 towards) {
+vec3 maskFor(vec3 fromRoot, vec2 facing, vec3 upright, vec2 slope, vec3 towards) {
     vec3 way = overLevel(stoodUp(towards, upright), slope);
     return maskPoint(stoodUp(fromRoot, upright), facing, unitOr(way, 1e-6, towards), species.maskRadius,
-                     species.maskHeight)
-        .xy;
+                     species.maskHeight);
 }
 // As leafLight takes them.
 vec3 bladeGloss() { return vec3(species.translucency, species.gloss, species.roughness); }
@@ -81,12 +81,12 @@ vec3 overGround(Lit p) { return unitOr(overLevel(p.toEye, p.slope), 1e-6, p.toEy
 float othersLeft(Lit p, vec2 uv, vec3 towards) {
     return mix(1.0, othersLight(uv, highAmong(p), towards, riseOver(towards, p.slope)).leave, p.stands);
 }
-// The density of what stands between a point of a blade and a light, half-way to where its ray leaves the mask's
-// cylinder or comes out above.
+// The density of what stands between a point of a blade and a light: over what reaches it, or half-way to where its
+// ray comes out above.
 float densityTowards(Lit p, vec2 uv, vec3 towards) {
     if (!GRASS_DENSITY) return p.density;
     float level = max(length(towards.xz), 1e-4), free = max(species.maskHeight - highAmong(p), 0.0),
-          across = min(species.maskRadius, 0.5 * free * level / max(riseOver(towards, p.slope), 1e-4));
+          across = min(species.maskReach, 0.5 * free * level / max(riseOver(towards, p.slope), 1e-4));
     vec2 at = uv + towards.xz * (across / level) * frame.mapShare;
     return densityOver(at, across) * bladeShare(at) * p.stands;
 }
@@ -111,7 +111,7 @@ OthersLight sunAmong(Lit p, vec2 uv, float density) {
 vec3 lampSends(Lit p, vec2 uv, LampHere l) {
     float density = densityTowards(p, uv, l.direction);
     vec3 over = overLevel(l.direction, p.slope);
-    vec3 through = maskLightAtVertex(maskFor(p.fromRoot, p.facing, p.upright, p.slope, l.direction), density) *
+    vec3 through = maskLight(maskFor(p.fromRoot, p.facing, p.upright, p.slope, l.direction), density) *
                    tracedDirect(overGround(p), over, density);
     vec3 sent = leafLight(p.color.reflectance, bladeGloss(), p.normal, p.toEye, l.direction, l.light) * through +
                 p.color.reflectance * l.light * directFill(over, shareAmong(p)) * tracedShare(density, species.area.x);
@@ -138,8 +138,21 @@ struct BladeLight {
     vec4 lit;     // radiance, without the sun's where that is apart; w: share of it that is haze
     vec4 sunned;  // what a side that faces the sun sends of its light; w: density
     vec3 turned;  // cosines of `face` with the sun and with the eye; the highlight, as a share of the sun's light
-    vec2 maskAt;  // where in the blades' shadow mask
+    vec3 maskAt;  // where in the blades' shadow mask
 };
+// What blades like it, but turned any way, send of the sun's light, by how much of them is seen: the mean of four.
+vec3 sentAround(Lit p, vec3 falls) {
+    vec3 sum = vec3(0.0);
+    float seen = 1e-4;
+    for (int i = 0; i < 4; ++i) {
+        p.face = vec3(-p.face.z, p.face.y, p.face.x);
+        float eye = dot(p.face, p.toEye);
+        sum += abs(eye) *
+               leafTurned(falls, vec2(dot(p.face, frame.sunDirection), eye), TRANSLUCENCY ? species.translucency : 0.0);
+        seen += abs(eye);
+    }
+    return sum / seen;
+}
 // The sun on a blade; share: of haze.
 void sunBlade(Lit p, vec2 uv, float share, inout BladeLight o) {
     if (!SUN) return;
@@ -160,13 +173,18 @@ void sunBlade(Lit p, vec2 uv, float share, inout BladeLight o) {
     } else {
         left *= p.open;
     }
-    left *= 1.0 - share;
-    o.sunned = vec4(p.color.reflectance * frame.sunLight * left, p.density);
+    vec3 falls = p.color.reflectance * frame.sunLight * left;
     o.turned.xy = vec2(dot(p.face, frame.sunDirection), dot(p.face, p.toEye));
     if (GLOSS) o.turned.z = species.gloss * waxyLobe(p.normal, frame.sunDirection, p.toEye, species.roughness) * left.g;
+    if (p.own < 1.0) {
+        vec3 sent = sentAround(p, falls) + frame.sunLight * o.turned.z;
+        o.lit.rgb += sent * ((1.0 - p.own) * (frame.sunCasts > 0.0 ? maskMean(o.maskAt, p.density) : 1.0));
+    }
+    o.sunned = vec4(falls * (p.own * (1.0 - share)), p.density);
+    o.turned.z *= p.own * (1.0 - share);
 }
 BladeLight lightBlade(Lit p, vec2 uv) {
-    BladeLight o = BladeLight(vec4(0.0), vec4(0.0), vec3(0.0), vec2(0.0));
+    BladeLight o = BladeLight(vec4(0.0), vec4(0.0), vec3(0.0), vec3(0.0));
     float distance = length(p.position), share = hazeShare(distance);
     p.color.reflectance *= darkened(distance);
     p.fromRoot = inFullHeight(p.fromRoot, uv);

@@ -15,18 +15,15 @@ layout(binding = TEX_BLADE) uniform sampler2D bladeTexture;
 centroid in vec4 lit;
 centroid in vec4 sunned;
 centroid in vec3 turned;
-centroid in vec2 maskAt;
+centroid in vec3 maskAt;
 centroid in vec3 strip;
 flat in uint grain;
 in vec3 moved;
 layout(location = 0) out vec4 color;
 
-// What the blade sends of the sun's light. Along a bent blade the side that is seen changes; within an eighth of an
-// edge-on view it goes from one to the other, so that neighbouring rows of vertices need not agree on the place.
+// What the blade sends of the sun's light.
 vec3 sunSent() {
-    float facing = clamp(turned.x, -1.0, 1.0) * clamp(turned.y * 8.0, -1.0, 1.0);
-    vec3 sent = sunned.rgb * max(facing, 0.0);
-    if (TRANSLUCENCY) sent += leafThrough(sunned.rgb) * (species.translucency * max(-facing, 0.0));
+    vec3 sent = leafTurned(sunned.rgb, turned.xy, TRANSLUCENCY ? species.translucency : 0.0);
     if (GLOSS) sent += frame.sunLight * turned.z;
     if (frame.sunCasts > 0.0) sent *= maskLight(maskAt, sunned.w);
     return sent;

@@ -1,18 +1,15 @@
-// How blades shade blades: the shadow mask of a species (grass/mask.h). Fragment shaders, and others through
-// maskLightAtVertex.
+// How blades shade blades: the shadow mask of a species (grass/mask.h). Any stage.
 #include "numerics/shadow.h"
 #include "shared/bindings.h"
 
-layout(binding = TEX_MASK) uniform sampler2D bladeMask;
+layout(binding = TEX_MASK) uniform sampler3D bladeMask;
 
-// Where the ray from a point of a blade (relative to its root) towards a light leaves the blade's cylinder: turns from
-// where the blade faces, height as a share of the mask; z: 1 if the light stands above, else 0. radius and height of
-// that cylinder: metres.
+// Where in the mask a point of a blade (relative to its root) is for a light. radius and height of its cylinder: m.
 vec3 maskPoint(vec3 fromRoot, vec2 facing, vec3 towards, float radius, float height) {
     MaskPoint p = maskPointOf(fromRoot, facing, towards, radius, height);
-    return vec3(p.turn, p.height, towards.y > 0.0 ? 1.0 : 0.0);
+    return vec3(p.turn, p.height, p.rise);
 }
-// Share of light that passes the neighbours there, at a density; at most at half its resolution (grass/mask.cpp).
-float maskLight(vec2 at, float density) { return maskVisibility(texture(bladeMask, at), density); }
-// The same for a vertex, over a texel's surroundings.
-float maskLightAtVertex(vec2 at, float density) { return maskVisibility(textureLod(bladeMask, at, 1.0), density); }
+// Share of light that passes the neighbours there, at a density.
+float maskLight(vec3 at, float density) { return maskVisibility(textureLod(bladeMask, at, 0.0), density); }
+// Its mean over all blades there.
+float maskMean(vec3 at, float density) { return maskVisibility(textureLod(bladeMask, at, 1.0), density); }

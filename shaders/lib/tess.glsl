@@ -23,6 +23,7 @@ struct TessBlade {
     vec2 slope;        // of the ground
     float width;       // m
     float high;        // share of its height that the distance leaves
+    float own;         // as Lit
     float opacity, density, hue, lightness;
     uint grain;
     int level;   // quads along it; 0: it is not drawn
@@ -60,12 +61,13 @@ TessBlade tessBlade(TessCell c, uint index) {
     t.hue = b.hue;
     t.root = s.root;
     t.uv = s.uv;
-    t.slope = groundSlope(s.ground, s.root.y, species.maskRadius);
+    t.slope = groundSlope(s.ground, s.root.y, species.maskReach);
     t.density = s.density;
     t.opacity = s.opacity;
     t.grain = floatBitsToUint(b.dither);
-    t.width =
-        share * b.width * frame.widening * min(1.0 / max(kept, 1e-3), max(tess.widest, distance * tess.widerAMetre));
+    float stoodFor = min(1.0 / max(kept, 1e-3), max(tess.widest, distance * tess.widerAMetre));
+    t.width = share * b.width * frame.widening * stoodFor;
+    t.own = inversesqrt(max(stoodFor, 1.0));
     t.level = min(levelOf(t.pose, s.root), max(int(c.level), 1));
     t.plain = t.level == 1 && t.width * tess.pixelsPerMetre < tess.plainPixels * distance;
     return t;
@@ -81,8 +83,8 @@ vec3 movedAt(TessBlade t, float v) {
 vec3 unlowered(TessBlade t, vec3 fromRoot) { return fromRoot / max(t.high, 0.02); }
 
 // Where in the shadow mask a vertex of it is.
-vec2 maskOf(TessBlade t, vec3 fromRoot) {
-    if (!(BLADE_SHADOWS && CASTING_LIGHTS && frame.sunCasts > 0.0)) return vec2(0.0);
+vec3 maskOf(TessBlade t, vec3 fromRoot) {
+    if (!(BLADE_SHADOWS && CASTING_LIGHTS && frame.sunCasts > 0.0)) return vec3(0.0);
     return maskFor(inFullHeight(unlowered(t, fromRoot), t.uv), t.pose.facing, t.pose.upright, t.slope,
                    frame.sunDirection);
 }
@@ -95,7 +97,7 @@ BladeLight lightPoint(TessBlade t, float v, out vec3 shown) {
     float lacked = t.level > 1 ? middleLackedEvenly(t.level) : 0.0;
     return lightBlade(Lit(bladeColor(t.hue, t.lightness, v, lacked, t.uv), f.normal, shown,
                           unitOr(-position, 1e-6, shown), position, unlowered(t, f.position), t.pose.facing,
-                          t.pose.upright, t.slope, mix(species.rootOpen, 1.0, v), t.density, 1.0),
+                          t.pose.upright, t.slope, mix(species.rootOpen, 1.0, v), t.density, 1.0, t.own),
                       t.uv);
 }
 // Light of the rows that the light of a blade of one quad is made of.

@@ -5,8 +5,10 @@
 #include "numerics/glsl.h"
 #endif
 
-// Where a ray from o along d leaves the vertical cylinder of radius R around the y axis: o + t d, t >= 0. o outside
-// counts as on the cylinder. Rays along the axis get a large finite t, which lies above every mask: unshadowed.
+// Where a ray from o along d leaves the vertical cylinder of radius R around the y axis: o + t d, t >= 0. The paper
+// looks its mask up there; ours (maskPointOf) asks for no way out, and this is kept beside it for who follows the
+// paper. o outside counts as on the cylinder. Rays along the axis get a large finite t, which lies above every mask:
+// unshadowed.
 FN real cylinderExit(vec3 o, vec3 d, real radius) {
     real a = d.x * d.x + d.z * d.z;
     real b = o.x * d.x + o.z * d.z;
@@ -25,29 +27,35 @@ FN real maskTurns(real x, real z) {
     if (!(max(abs(x), abs(z)) > kTiny)) return real(0.0);
     return atan(z, x) / kTau;
 }
-// `turn` moved by whole turns to within half a turn of `reference`: a blade's coordinates interpolate without running
-// through the mask's seam.
-FN real unwrapTurns(real turn, real reference) { return turn - round(turn - reference); }
+// How steeply light comes in, as a share in [0, 1]: 0 level or from below, 1/2 from 45 degrees, 1 upright.
+FN real maskRise(vec3 towards) {
+    real up = max(towards.y, real(0.0));
+    return up / max(up + sqrt(towards.x * towards.x + towards.z * towards.z), real(1e-20));
+}
+// Metres that light of such a share rises over one metre of ground.
+FN real maskSlope(real rise) { return rise / max(real(1.0) - rise, real(1e-6)); }
 
-// Where the ray from a point of a blade to a light leaves the blade's cylinder, as coordinates of its mask: turns from
-// where the blade faces, within half a turn of the light's own so that a blade's vertices interpolate, and height as a
-// share of the mask's, in [0, 2]. Light from straight above leaves over the top: unshadowed. Light from below comes out
-// at 0. The height is that of a ray from the axis: neighbours stand around every point of a bent blade as they do
-// around its root, and a tip that leans towards the light is not deeper among them than one that leans away.
+// Where a point of a blade lies in its mask for parallel light: across, in turns, from where the blade faces, within
+// half a turn of the light's own but for how far the point lies to a side; the point's height as a share of the mask's,
+// in [0, 1]; and the light's maskRise. The mask has a layer for each rise, in which neighbours lie where such light
+// brings their shadows, so that no way out of a cylinder is asked for, and all but the light's own azimuth is linear
+// in the point: vertices interpolate exactly, and points out of the cylinder are no case of their own.
 struct MaskPoint {
     real turn;
     real height;
+    real rise;
 };
 // fromRoot: the point relative to the blade's root; facing: unit, where the blade leans; l: towards the light, unit.
+// radius, top: of the cylinder, metres.
 FN MaskPoint maskPointOf(vec3 fromRoot, vec2 facing, vec3 l, real radius, real top) {
-    vec3 o =
-        vec3(fromRoot.x * facing.x + fromRoot.z * facing.y, fromRoot.y, fromRoot.z * facing.x - fromRoot.x * facing.y);
-    vec3 d = vec3(l.x * facing.x + l.z * facing.y, l.y, l.z * facing.x - l.x * facing.y);
-    real t = min(cylinderExit(o, d, radius), real(1e6));
+    vec2 light = vec2(l.x * facing.x + l.z * facing.y, l.z * facing.x - l.x * facing.y);
+    vec2 at = vec2(fromRoot.x * facing.x + fromRoot.z * facing.y, fromRoot.z * facing.x - fromRoot.x * facing.y);
+    real level = max(sqrt(light.x * light.x + light.y * light.y), real(1e-6));
+    real aside = (at.y * light.x - at.x * light.y) / level;
     MaskPoint p;
-    p.turn = unwrapTurns(maskTurns(o.x + d.x * t, o.z + d.z * t), maskTurns(d.x, d.z));
-    real rise = d.y / max(sqrt(d.x * d.x + d.z * d.z), real(1e-6));
-    p.height = clamp((o.y + rise * radius) / max(top, real(1e-6)), real(0.0), real(2.0));
+    p.turn = maskTurns(light.x, light.y) + aside / (kTau * max(radius, real(1e-6)));
+    p.height = clamp(fromRoot.y / max(top, real(1e-6)), real(0.0), real(1.0));
+    p.rise = maskRise(l);
     return p;
 }
 

@@ -73,8 +73,9 @@ struct STD140 SpeciesGlobals {
     float translucency;
     float gloss;
     float roughness;   // of the gloss
-    float maskRadius;  // of its shadow mask (m)
+    float maskRadius;  // of its shadow mask's cylinder (m)
     float maskHeight;  // m
+    float maskReach;   // how far from a blade stands what shades it (m)
     float spread;      // as Sown
     float step;
     float sownShare;

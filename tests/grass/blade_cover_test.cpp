@@ -78,5 +78,15 @@ TEST(BladeCover, ImagesThatAreMissingOrClearAreFinite) {
     }
 }
 
+TEST(BladeCover, TellsTheImagesAlphaByPartsOfItsLength) {
+    const std::vector<float> parts = alphaAlong(parabola(800), 4);
+    for (int i = 0; i < 4; ++i) {
+        const double from = i / 4.0, to = (i + 1) / 4.0;
+        EXPECT_NEAR(parts[static_cast<size_t>(i)], 1 - (to * to * to - from * from * from) / 3 * 4, 0.003) << i;
+    }
+    EXPECT_EQ(alphaAlong({}, 3), (std::vector<float>{1, 1, 1}));
+    EXPECT_EQ(alphaAlong(parabola(1), 3).size(), 3u) << "more parts than rows";
+}
+
 }  // namespace
 }  // namespace sward::test
