@@ -10,7 +10,7 @@
 // four channels hold what it lets through at densities 1/4, 2/4, 3/4 and 1, counted from the thresholds of the blades
 // that cover a texel, and a look-up blends the two nearest. Neither one picture scaled by the density (too light where
 // several blades hide each other) nor a picture of thresholds (B-14: means of them are nonsense) would be right. Does
-// not: know other species, the lean that is painted, or wind. Cost: 5 to 30 ms once a species; 98 KB at 64 texels.
+// not: know other species, the lean that is painted, or wind. Cost: 20 to 60 ms once a species; 221 KB at 64 texels.
 #pragma once
 #include <cstdint>
 

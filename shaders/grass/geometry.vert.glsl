@@ -45,6 +45,10 @@ void main() {
             groundSlope(s.ground, s.root.y, species.maskReach), mix(species.rootOpen, 1.0, s.v), s.density, 1.0, 1.0),
         s.uv);
     lit = light.lit, sunned = light.sunned, turned = light.turned, maskAt = light.maskAt;
+    // Quads lie below the curve between their rows; the sun's shade is looked up as high as the curve lies in the mean.
+    // An odd number of them lacks a third of what the middle's colour does.
+    vec3 sagged = (2.0 * pose.control - pose.tip) * (s.cell.middleLacked / 3.0);
+    maskAt.y += inFullHeight(sagged, s.uv).y / max(species.maskHeight, 1e-4);
     if (viewMode() == VIEW_NORMALS) lit.rgb = n * 0.5 + 0.5;
     strip = vec3(s.across + 0.5, s.v, s.opacity);
     grain = floatBitsToUint(b.dither);
