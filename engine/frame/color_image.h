@@ -27,10 +27,9 @@ void dilateColor(Rgba8& image);
 Texture makeColorTexture(Gpu& gpu, const std::string& owner, const Rgba8& image, bool repeat = true);
 // The image stretched to at least so many rows, each mixed from the two that lie around it.
 Rgba8 withRows(const Rgba8& image, int rows);
-// Texture of a blade (makeBladeImage): its mips end where it is one texel wide, and are still kBladeRows high there, so
-// that a blade thinner than a pixel keeps its taper from root to tip.
 inline constexpr int kBladeRows = 16;
-// The texture of a blade's image, with all levels; owner: whose memory it is.
+// Texture of a blade (makeBladeImage): its mips end where it is one texel wide, and are still kBladeRows high there, so
+// that a blade thinner than a pixel keeps its taper from root to tip. owner: whose memory it is.
 Texture makeBladeTexture(Gpu& gpu, const std::string& owner, const Rgba8& image);
 
 }  // namespace sward

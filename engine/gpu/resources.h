@@ -115,7 +115,7 @@ Texture makeTexture2D(Gpu& gpu, const std::string& owner, GLenum format, int wid
                       bool repeat = false);
 // Layers of one size, with their full chain of levels; trilinear, clamped.
 Texture makeTextureArray(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int layers);
-// Linearly filtered along all three axes, repeated along the first two, of one level.
+// Linearly filtered along all three axes, repeated along the first two; of several levels the nearest one is read.
 Texture makeTexture3D(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int depth,
                       int levels = 1);
 // `samples` a texel, 1 to Gpu::maxSamples; no levels.

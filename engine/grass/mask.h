@@ -6,11 +6,12 @@
 // layer for each of kMaskLayers rises of the light (numerics/shadow.h, maskRise), drawn as parallel light of that rise
 // brings shadows: a point of a blade that stands z metres off lies lower by what the light rises over z. So each layer
 // knows all that shades, near and far, and its shadows have edges as sharp as they fall. A section is as long as the
-// cylinder's girth, and wraps; a texel is as wide as a blade is seen in the mean. The mask scales with the density: its
-// four channels hold what it lets through at densities 1/4, 2/4, 3/4 and 1, counted from the thresholds of the blades
-// that cover a texel, and a look-up blends the two nearest. Neither one picture scaled by the density (too light where
-// several blades hide each other) nor a picture of thresholds (B-14: means of them are nonsense) would be right. Does
-// not: know other species, the lean that is painted, or wind. Cost: 20 to 60 ms once a species; 221 KB at 64 texels.
+// cylinder's girth, and wraps; a texel is half as wide as a blade is seen in the mean. The mask scales with the
+// density: its four channels hold what it lets through at densities 1/4, 2/4, 3/4 and 1, counted from the thresholds of
+// the blades that cover a texel, and a look-up blends the two nearest. Neither one picture scaled by the density (too
+// light where several blades hide each other) nor a picture of thresholds (B-14: means of them are nonsense) would be
+// right. Does not: know other species, the lean that is painted, or wind. Cost: 20 to 60 ms once a species; 221 KB at
+// 64 texels.
 #pragma once
 #include <cstdint>
 

@@ -9,7 +9,7 @@ out vec4 bladeControl;  // w: width
 out vec4 bladeTip;      // w: opacity
 out vec4 bladeFacing;   // z: 1 if it is a plain triangle; w: density
 out vec4 bladeUpright;  // of its pose; w: share of its height
-out vec3 bladeSlope;    // of the ground; z: share of shadow that is its own
+out vec3 bladeSlope;    // of the ground; z: own, as Lit has it
 out vec3 bladeControlBefore, bladeTipBefore;
 out vec4 bladePaint;  // hue, lightness; where on the terrain
 flat out uint bladeGrain;

@@ -42,7 +42,7 @@ struct Lit {
     vec2 slope;    // of the ground
     float open, density;
     float stands;  // share of what grows there that is not pressed down (lightBlade)
-    float own;     // share of its neighbours' shadow that is its own: the rest is the mean of blades that it stands for
+    float own;     // share of its shade and its facing that is its own: the rest is the mean of blades it stands for
 };
 // Where in the shadow mask it is, for a light.
 vec3 maskFor(vec3 fromRoot, vec2 facing, vec3 upright, vec2 slope, vec3 towards) {

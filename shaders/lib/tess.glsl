@@ -23,7 +23,7 @@ struct TessBlade {
     vec2 slope;        // of the ground
     float width;       // m
     float high;        // share of its height that the distance leaves
-    float own;         // as Lit
+    float own;         // as Lit has it
     float opacity, density, hue, lightness;
     uint grain;
     int level;   // quads along it; 0: it is not drawn

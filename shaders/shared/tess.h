@@ -35,8 +35,7 @@ struct TessCell {
 #ifdef __cplusplus
 }
 #endif
-// Turns round the shadow mask to either side that a vertex can tell: blades that lean farther than that have less shade
-// from there on.
+// Turns round the shadow mask to either side that a vertex can tell: of what leans farther, the shade is that of there.
 #define MASK_TURNS 8.0
 // Words of the list of chosen cells: pieces, 0, 0, 0; by batch, and for its end, the arguments of
 // glDispatchComputeIndirect that take each of its pieces, and its first piece; then the commands of
