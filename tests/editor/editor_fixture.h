@@ -14,6 +14,7 @@
 
 #include "editor/app/app.h"
 #include "editor/ui/driver.h"
+#include "grass/drawing.h"
 #include "scenes.h"
 #include "support.h"
 #include "techniques.h"
@@ -25,6 +26,7 @@ class EditorFixture : public testing::Test {
   protected:
     void SetUp() override {
         ASSERT_TRUE(doc.create(dir / "meadow"));
+        lightLocally();
         openEditor();
     }
     void TearDown() override {
@@ -32,6 +34,13 @@ class EditorFixture : public testing::Test {
         EXPECT_EQ(app->messages.notice, "");
     }
 
+    // Light from blade to blade is traced for seconds after each change of a species, and no panel shows it. No undo
+    // step: this is how the project begins.
+    void lightLocally() {
+        Project& p = const_cast<Project&>(doc.project());
+        p.registry.add<GrassDrawing>(findEntity(p, "lawn"), {.bakeLight = BakeLight::Local});
+        ASSERT_TRUE(doc.save());
+    }
     // Of 800 x 600 points; what panels and hands do does not depend on how fine the picture is, nor on its blades.
     void openEditor() {
         app = std::make_unique<EditorApp>(doc, *gpu, ui::makeHeadlessSurface(800, 600, 0.5f), false);

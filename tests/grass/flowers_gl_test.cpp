@@ -113,6 +113,7 @@ TEST(Flowers, StandAmongTheGrassOfTheirOwnEntity) {
         FlatField grass;
         grass.technique = nameOf(Technique::Geometry);
         grass.species[0].bladesPerM2 = 4;
+        grass.drawing.bakeLight = BakeLight::Local;  // it is black
         grass.species[0].rootColor = grass.species[0].midColor = grass.species[0].tipColor = {0, 0, 0};
         if (which == Pressed::First) grass.forces = field(press, "maps/press.png");
         put(p, "among", grass);

@@ -84,6 +84,7 @@ TEST(SparseGrass, CellsWithoutABladeCostNoSlices) {
     Project p = sparse(false);
     flatField(p).cellSize = 0.1f;
     flatField(p).technique = "slices";
+    flatField(p).drawing.bakeLight = BakeLight::Local;  // counts are counted in any light
     Renderer r(gpu(), tables());
     ViewSettings s = small();
     s.measure = true;

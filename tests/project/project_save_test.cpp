@@ -226,13 +226,15 @@ TEST(Saving, AFailedSaveTakesBackWhatItAddedToALargeMap) {
     EXPECT_EQ(largeFault(dir / "p", fullMap().hash()), "a");
 }
 
-TEST(Saving, FiftyKillsLeaveOneStateOrTheOther) {
+void expectOneStateOrTheOther(int kills) {
     TempDir dir;
     std::string why;
-    EXPECT_EQ(killSaveLoop(50, dir / "p", &why), 0) << why;
+    EXPECT_EQ(killSaveLoop(kills, dir / "p", &why), 0) << why;
     fs::remove_all(dir / "p/.sward-save");
     EXPECT_EQ(faultOf(dir / "p"), "");
 }
+TEST(Saving, TenKillsLeaveOneStateOrTheOther) { expectOneStateOrTheOther(10); }
+TEST(Saving, FiftyKillsLeaveOneStateOrTheOther) { expectOneStateOrTheOther(50); }
 
 TEST(Saving, AKillBeforeTheCommitLeavesTheOldState) {
     TempDir dir;

@@ -162,7 +162,8 @@ TEST(TracedLightOf, ATableThatIsAPolynomialIsFittedByIt) {
 
 TEST(TracedLightOf, IsKeptAndADamagedFileIsMadeAnew) {
     const TempDir folder;
-    const TracedSpec spec = dense();
+    TracedSpec spec = dense();
+    spec.species.species.bladesPerM2 = 400;  // it is the sooner made
     JobControl control;
     const auto made = tracedLight(folder.path, spec, control);
     ASSERT_TRUE(made) << made.error().text();
