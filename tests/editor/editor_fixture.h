@@ -15,6 +15,7 @@
 #include "editor/app/app.h"
 #include "editor/ui/driver.h"
 #include "grass/drawing.h"
+#include "grass/slice_settings.h"
 #include "scenes.h"
 #include "support.h"
 #include "techniques.h"
@@ -26,7 +27,7 @@ class EditorFixture : public testing::Test {
   protected:
     void SetUp() override {
         ASSERT_TRUE(doc.create(dir / "meadow"));
-        lightLocally();
+        thinOut();
         openEditor();
     }
     void TearDown() override {
@@ -34,11 +35,13 @@ class EditorFixture : public testing::Test {
         EXPECT_EQ(app->messages.notice, "");
     }
 
-    // Light from blade to blade is traced for seconds after each change of a species, and no panel shows it. No undo
-    // step: this is how the project begins.
-    void lightLocally() {
+    // What panels and hands do does not depend on how good the grass is: light from blade to blade is traced for
+    // seconds after each change of a species, and slices are most of a frame. No undo step: this is how the project
+    // begins.
+    void thinOut() {
         Project& p = const_cast<Project&>(doc.project());
         p.registry.add<GrassDrawing>(findEntity(p, "lawn"), {.bakeLight = BakeLight::Local});
+        p.registry.add<GrassSlices>(findEntity(p, "lawn"), {.slices = 2});
         ASSERT_TRUE(doc.save());
     }
     // Of 800 x 600 points; what panels and hands do does not depend on how fine the picture is, nor on its blades.

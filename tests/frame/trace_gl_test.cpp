@@ -106,7 +106,7 @@ TEST(Trace, RemovingEachComponentLeavesTheSceneThatNeverHadIt) {
 // In a fraction of that time: all components of the table, dealt out into a few handfuls, and each handful gone at
 // once.
 TEST(Trace, RemovingHandfulsOfComponentsLeavesTheSceneThatNeverHadThem) {
-    constexpr size_t kHandfuls = 5;
+    constexpr size_t kHandfuls = 3;
     const std::vector<const ComponentRow*> rows = rowsOf(everything());
     std::vector<Removal> removals;
     for (size_t hand = 0; hand < kHandfuls; ++hand)
