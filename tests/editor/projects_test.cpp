@@ -213,7 +213,7 @@ TEST(SampleProjects, Field40HasAThousandBladesASquareMetreAndOneCamera) {
     EXPECT_NEAR(the<Camera>(*made, "eye").eye.y, 1.7, 0.01);
 }
 
-// Over the first, as the build does.
+// Makes a project over `first`, as the build does; its maps are those that `first` had.
 void expectTheSameMapsAgain(const std::string& project, const TempDir& dir, Result<Project>& first, size_t count) {
     const auto hashes = [](Project& p) {
         std::vector<uint64_t> all;

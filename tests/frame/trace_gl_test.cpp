@@ -85,7 +85,7 @@ bool standsIn(const Project& p, const ComponentRow& row) {
 void removeAll(Project& p, const ComponentRow& row) {
     for (auto& [name, e] : p.entities) row.remove(p.registry, e);
 }
-// All components of the table that the scene has, which are those that ask for anything.
+// The rows of all components that the scene has; those that it lacks ask for nothing.
 std::vector<const ComponentRow*> rowsOf(const Project& all) {
     std::vector<const ComponentRow*> rows;
     for (const ComponentRow& row : tables().components)
@@ -103,8 +103,7 @@ TEST(Trace, RemovingEachComponentLeavesTheSceneThatNeverHadIt) {
     expectNoTraces(removals);
 }
 
-// In a fraction of that time: all components of the table, dealt out into a few handfuls, and each handful gone at
-// once.
+// All components of the table, dealt out into a few handfuls, and each handful gone at once: sooner than one by one.
 TEST(Trace, RemovingHandfulsOfComponentsLeavesTheSceneThatNeverHadThem) {
     constexpr size_t kHandfuls = 3;
     const std::vector<const ComponentRow*> rows = rowsOf(everything());

@@ -113,7 +113,6 @@ TEST(AmongGl, ACrestIsAsHighAsItsGrassWhereverTheFlatTierStandsForIt) {
     const double truth = rowsOfSky(scene->trace(camera, s, control)->color, s.width);
     const double metre = static_cast<double>(pixelsPerMetre(camera, s.height)) / 55;  // pixels, on the crest
     grassIn(p).technique = "flat";
-    grassIn(p).drawing.bakeLight = BakeLight::Local;
     Renderer r(gpu(), tables());
     ASSERT_TRUE(r.draw(p, camera, sized(s.width, s.height)));
     const double drawn = rowsOfSky(r.readLinear(), s.width);

@@ -47,11 +47,9 @@ Project twoFields(Technique left, Technique right) {
     Project p = lawn();
     FlatField one = flatField(p);
     one.technique = nameOf(left);
-    one.drawing.bakeLight = BakeLight::Local;  // which of them is seen where
     one.species[0].density = half(false), one.species[0].bladesPerM2 = 600;
     FlatField other;
     other.technique = nameOf(right);
-    other.drawing.bakeLight = BakeLight::Local;
     Species s = one.species[0];
     s.name = "blue", s.density = half(true);
     s.rootColor = s.midColor = s.tipColor = {0.02f, 0.03f, 0.4f};

@@ -64,7 +64,7 @@ TEST(GrassPicture, TheCpuCountsWhatTheShaderDraws) {
     Project p = lawn();
     FlatField f = grassOf(p);
     f.technique = nameOf(Technique::Geometry);
-    f.drawing.bakeLight = BakeLight::Local;
+    f.drawing.bakeLight = BakeLight::Local;  // blades are counted in any light
     f.fade = 0;
     f.species[0].segments = 1;
     f.species[0].density = field(filled({8, 8, 1, PixelType::U16}, 0.5f));

@@ -211,7 +211,6 @@ TEST(HybridStorage, CompressedLooksLikeFactored) {
     NoGlErrors errors;
     Renderer r(gpu(), tables());
     Project p = designed(kLawn, 14);
-    grassIn(p).drawing.bakeLight = BakeLight::Local;
     const ViewSettings s = sized(320, 240);
     const auto factored = picture(r, p, person(14), s);
     const int64_t bytes = gpu().ledger["grass/slices"] + gpu().ledger["grass/far"];

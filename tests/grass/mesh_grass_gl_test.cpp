@@ -95,7 +95,6 @@ TEST(MeshGrass, StandsOutAgainstTheSkyAtTheOutline) {
     NoGlErrors errors;
     const TempDir dir;
     Project p = onMesh(dir, kBall, {10, 5, 10});
-    flatField(p).drawing.bakeLight = BakeLight::Local;
     p.registry.get<StaticMesh>(findEntity(p, "rock"))->onGround = false;
     const ViewCamera camera{{10, 5, 8}, {10, 5.6, 10}, 45, 0};
     Project bald = snapshot(p, tables().components);
@@ -160,7 +159,6 @@ TEST(MeshGrass, FollowsTheMapsOfItsMesh) {
     NoGlErrors errors;
     const TempDir dir;
     Project p = onMesh(dir, kPlate);
-    flatField(p).drawing.bakeLight = BakeLight::Local;
     const ViewCamera camera{{10, 0.8, 8.6}, {10, 0.05, 10}, 40, 0};
     const double all = covered(picture(p, camera));
     put(p, "rock", MeshGrass{.density = field(filled({16, 16, 1, PixelType::U8}, 0))});
@@ -168,7 +166,6 @@ TEST(MeshGrass, FollowsTheMapsOfItsMesh) {
     put(p, "rock", MeshGrass{.density = field(filled({16, 16, 1, PixelType::U8}, 0.4f))});
     const double some = covered(picture(p, camera));
     Project level = meadow(dir);
-    flatField(level).drawing.bakeLight = BakeLight::Local;
     flatField(level).species[0].density = field(filled({16, 16, 1, PixelType::U8}, 0.4f));
     const double asLevel = covered(picture(level, camera));
     std::printf("covered at density 1, 0.4, 0: %.3f %.3f %.3f; on level ground at 0.4: %.3f\n", all, some, bare,
@@ -234,7 +231,7 @@ TEST(MeshGrass, OfAFieldThatLeavesTheTerrainReadsNoneOfItsMaps) {
     const TempDir dir;
     Project p = meadow(dir);
     FlatField f = flatField(p);
-    f.drawing.bakeLight = BakeLight::Local;
+    f.drawing.bakeLight = BakeLight::Local;  // what it reads is in the ledger in any light
     f.species[0].density = field(filled({16, 16, 1, PixelType::U8}, 0.8f), "maps/d.png");
     f.vegetation = field(filled({16, 16, 4, PixelType::U8}, 0.4f), "maps/v.png");
     f.orientation = field(filled({16, 16, 2, PixelType::U16}, 0.8f), "maps/o.png");

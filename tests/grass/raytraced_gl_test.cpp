@@ -78,7 +78,6 @@ TEST(Raytraced, CoversAndShinesAsTheBladesThatItStandsFor) {
 TEST(Raytraced, GrassThatIsWholeLooksAsAFullMapHasIt) {
     NoGlErrors errors;
     Project p = meadow(Technique::Raytraced);
-    flatField(p).drawing.bakeLight = BakeLight::Local;
     Renderer r(gpu(), tables());
     const auto whole = raytracedPicture(r, p, grazing());
     flatField(p).species[0].density = {"maps/full.png", filled({4, 4, 1, PixelType::U16}, 1)};
@@ -219,7 +218,6 @@ TEST(Raytraced, AShortLawnShowsNoRowsOfSlices) {
         f.species[0].bladesPerM2 = 40000;
         f.species[0].height = 0.03f, f.species[0].width = 0.003f;
         f.cellSize = 0.5f, f.slices = 20;
-        f.drawing.bakeLight = BakeLight::Local;  // rows are where blades are
         return raytracedPicture(p, along, view);
     };
     const double blades = rowsShow(pictureBy(Technique::Geometry), view.width, view.height),
@@ -246,7 +244,6 @@ TEST(Raytraced, HidesWhatStandsBehindIt) {
         Project p = meadow(technique);
         p.dir = folder.path;
         flatField(p).raytraced.visibility = visibility;
-        flatField(p).drawing.bakeLight = BakeLight::Local;
         if (technique == Technique::Flat) flatField(p).species[0].bladesPerM2 = 0;
         putObject(p, "post", {{.size = {0.3, 0.2, 0.3}, .color = {0.9f, 0, 0}}}, {10, 0, z});
         const auto image = raytracedPicture(p, {{10, 0.5, 6}, {10, 0.05, 10}, 30, 0});

@@ -156,7 +156,6 @@ TEST(Slices, OnAHillStandOnTheGroundWithoutGaps) {
             for (int x = 0; x < 64; ++x)
                 m.set(x, y, 0, 0.4f * std::sin(0.3f * static_cast<float>(x)) + 0.05f * static_cast<float>(y));
         p.registry.get<Terrain>(findEntity(p, "ground"))->height = field(m);
-        slicedGrass(p).drawing.bakeLight = BakeLight::Local;
         return p;
     };
     const ViewCamera camera{{10, 4, 1}, {10, 0.5, 5}, 40, 0};
@@ -373,7 +372,6 @@ TEST(Slices, TallGrassHidesLowGrassWhicheverIsListedFirst) {
         tall.name = "tall", tall.height = 0.5f;
         tall.rootColor = tall.midColor = tall.tipColor = {0.4f, 0.05f, 0.05f};
         f.species = tallFirst ? std::vector{tall, low} : std::vector{low, tall};
-        f.drawing.bakeLight = BakeLight::Local;  // which blades are seen, not how bright
         const auto pixels = picture(p);
         double red = 0, green = 0;
         for (size_t k = 0; k < pixels.size(); k += 3) red += pixels[k], green += pixels[k + 1];

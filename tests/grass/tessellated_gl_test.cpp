@@ -20,7 +20,6 @@ Project lawnBy(Technique technique) {
     p.registry.get<Terrain>(findEntity(p, "ground"))->size = {10, 10};
     FlatField f = grassOf(p);
     f.technique = nameOf(technique);
-    f.drawing.bakeLight = BakeLight::Local;  // the other takes seconds for each species, and says nothing of blades
     f.groundShadows = false;
     f.maxDistance = 200;
     f.thinning = 0;
@@ -201,7 +200,7 @@ TEST(Tessellated, BladesOfAtLeastSomePixelsAreFewerAndCoverAsMuch) {
     };
     f.species[0].bladesPerM2 = 0;
     const double bare = covers(0);
-    f.species[0].bladesPerM2 = 2000;
+    f.species[0].bladesPerM2 = 4000;
     const double all = covers(0) - bare;
     const uint64_t blades = r.stats().bladesGeometry;
     for (const bool stages : {true, false}) {

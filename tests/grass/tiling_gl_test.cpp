@@ -155,7 +155,6 @@ TEST(UniqueBlades, AreDrawnByGeometryAndTessellatedInsteadOfThePatch) {
         for (Project* p : {&patch, &unique}) {
             grassIn(*p).species[0].density = field(patches(20, PixelType::U16), "maps/d.png");
             grassIn(*p).fade = 0;
-            grassIn(*p).drawing.bakeLight = BakeLight::Local;
         }
         grassIn(unique).population = Population::Unique;
         const auto a = drawn(patch), b = drawn(unique);

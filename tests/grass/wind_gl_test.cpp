@@ -221,7 +221,7 @@ TEST(Stiffness, DoesNotHoldUpWhatAFootPresses) {
             Map force({4, 4, 4, PixelType::U8});
             for (int i = 0; pressed && i < 16; ++i) force.set(i % 4, i / 4, 2, 1), force.set(i % 4, i / 4, 3, 1);
             windyGrass(p).forces = field(force, "maps/f.png");
-            windyGrass(p).drawing.bakeLight = BakeLight::Local;
+            windyGrass(p).drawing.bakeLight = BakeLight::Local;  // pictures are one to the byte, or not
             ViewSettings s;
             s.width = kWidth, s.height = kHeight;
             return windyPicture(r, p, along(), s);

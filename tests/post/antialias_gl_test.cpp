@@ -201,7 +201,6 @@ TEST(Antialias, LinesOnTheGroundAreAsSharpAsOfManySamples) {
     Project p = lawn();
     FlatField f = flatField(p, "grass");
     f.technique = nameOf(Technique::Flat);
-    f.drawing.bakeLight = BakeLight::Local;
     f.species[0].bladesPerM2 = 3000;
     Map lines({400, 400, 4, PixelType::U8});
     for (int y = 0; y < 400; ++y)
@@ -363,7 +362,6 @@ TEST(Antialias, LeavesNoTraceWhereItIsNotAskedFor) {
 TEST(Antialias, PiecesAndFalseColoursTakeTheirSamplesInOneFrame) {
     NoGlErrors errors;
     Project p = lawnBy(Technique::Hybrid);
-    flatField(p, "grass").drawing.bakeLight = BakeLight::Local;
     ViewSettings piece = small(), tiers = small();
     piece.width = 80, piece.part = {80, 0, 160, 120};
     tiers.mode = ViewMode::Tiers;
