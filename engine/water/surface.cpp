@@ -32,9 +32,12 @@ void beginBlending() {
     glDepthMask(GL_FALSE);
     glTextureBarrier();  // the depth that is tested is read as well, and nobody writes it meanwhile
 }
+// A function that asks for a second colour may not stay, although nothing blends: Mesa refuses every later draw into
+// more than one image.
 void endBlending() {
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
+    glBlendFuncSeparate(GL_ONE, GL_ZERO, GL_ONE, GL_ZERO);
 }
 
 void draw(DrawContext& ctx) {

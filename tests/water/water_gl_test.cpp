@@ -5,6 +5,7 @@
 #include "lamps.h"
 #include "objects.h"
 #include "reference/reference.h"
+#include "scene/antialias.h"
 #include "techniques.h"
 #include "world/ground.h"
 #include "world/view_camera.h"
@@ -88,6 +89,18 @@ TEST(Water, StillWaterMirrorsAnObjectToThePixel) {
     EXPECT_NEAR(mirroredEdge(picture, kWidth / 2, inside), edge, 1);
     EXPECT_NEAR(mirroredEdge(truth, kWidth / 2, inside), edge, 1);
     EXPECT_NEAR(mirroredEdge(picture, kWidth / 2 + 6, inside), mirroredEdge(truth, kWidth / 2 + 6, inside), 1);
+}
+
+// Frames that add up are drawn into two images, after water has been blended by two colours.
+TEST(Water, OfFramesThatAddUpIsAsBrightAsOfOne) {
+    TempDir folder;
+    Project p = lake(folder);
+    const std::vector<float> one = drawn(p, ashore());
+    put<Antialias>(p, "antialias", {.antialias = Antialiasing::Temporal});
+    const std::vector<float> many = drawn(p, ashore());
+    double a = 0, b = 0;
+    for (size_t i = 0; i < one.size(); ++i) a += double(one[i]), b += double(many[i]);
+    EXPECT_NEAR(b / a, 1, 0.01);
 }
 
 TEST(Water, StillWaterIsTheTruthsInLight) {
