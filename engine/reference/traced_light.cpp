@@ -20,15 +20,13 @@
 namespace sward {
 namespace {
 
-constexpr uint32_t kVersion = 16;  // of the method: another one gives other factors
+constexpr uint32_t kVersion = 15;  // of the method: another one gives other factors
 constexpr int kRays = 2000;        // that meet a blade, a view
 constexpr int kParts = 16;         // of a view's rays, each with its own sums, so that any number of threads adds alike
 constexpr int kMostBounces = 12;
 constexpr int kSkyPaths = 8;  // from each blade that is seen
 constexpr size_t kOften = 5;  // behind the first meeting light comes from one of so many directions, by chance
-// Metres: of the lawn; of the square in its middle that rays look down on, whose cells then are few enough to be posed;
-// by which a path starts off a blade.
-constexpr double kSide = 1000, kSeen = 10, kOff = 2e-5;
+constexpr double kSide = 1000, kOff = 2e-5;  // metres: of the lawn; by which a path starts off a blade
 struct Dice {
     uint32_t seed, next = 0;
     float unit() { return f32::hashUnit(f32::hash2(seed, next++)); }
@@ -225,7 +223,7 @@ void addSky(Tracer& t, const Surface& seen, const glm::vec3& toSeen, Dice& dice,
 // A ray of a view of this azimuth over the lawn; none: it met no blade.
 std::optional<Surface> lookDown(Tracer& t, const glm::vec3& toEye, Dice& dice) {
     const double height = static_cast<double>(t.lawn.height);
-    const glm::dvec3 top(0.5 * kSide + kSeen * double(dice.unit()), height, 0.5 * kSide + kSeen * double(dice.unit()));
+    const glm::dvec3 top(0.5 * kSide + 20 * double(dice.unit()), height, 0.5 * kSide + 20 * double(dice.unit()));
     return t.rays.closest({top, -glm::dvec3(toEye), 0, height / double(toEye.y), dice.grain()}, t.memory);
 }
 
@@ -285,7 +283,7 @@ SoilSums traceSoil(Tracer& t, int part, int rays, const JobControl& control) {
     sums.rays = rays;
     for (int n = 0; n < rays && !control.cancelled(); ++n) {
         Dice dice{f32::hash3(0x5011u, static_cast<uint32_t>(part), static_cast<uint32_t>(n))};
-        const glm::dvec3 at(0.5 * kSide + kSeen * double(dice.unit()), 1e-4, 0.5 * kSide + kSeen * double(dice.unit()));
+        const glm::dvec3 at(0.5 * kSide + 20 * double(dice.unit()), 1e-4, 0.5 * kSide + 20 * double(dice.unit()));
         const glm::vec3 way = drawnAround({0, 1, 0}, dice);
         const std::optional<Surface> s =
             t.rays.closest({at, glm::dvec3(way), 0, std::numeric_limits<double>::infinity(), dice.grain()}, t.memory);

@@ -5,7 +5,7 @@
 // and by paths, from blade to blade and through them, up to the sky or down to the soil, with light from 70 directions
 // at each meeting. The quotients of the sums are fitted by polynomials; the paths' means are kept as they are. The soil
 // sends nothing of its own light: what comes up from it is counted as light from below, as dim as the soil lies under
-// the grass. Does not: know slopes, paint, wind, other species, or objects near by. Cost: 2 to 5 s a species on two
+// the grass. Does not: know slopes, paint, wind, other species, or objects near by. Cost: about 4 s a species on two
 // cores and 12 KB in the cache folder; twice that time and 38 KB where paint leans it.
 #pragma once
 #include <filesystem>
