@@ -25,7 +25,7 @@ entity.add("turf", { GrassField = {
         rootColor = { 0.045, 0.06, 0.02 }, midColor = { 0.06, 0.12, 0.03 }, tipColor = { 0.11, 0.165, 0.045 },
     } },
 } })
--- Frames that add up are as near to the truth as four samples, in half the time (sward cost).
+-- Frames that add up are as near to the truth as four samples, in less time (sward cost).
 entity.add("antialias", { Antialias = { antialias = "temporal" } })
 entity.add("sun", { Light = { azimuthDeg = 235, elevationDeg = 40 } })
 entity.add("sky", { Sky = { model = "atmosphere", turbidity = 1.3 } })
