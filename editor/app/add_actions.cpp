@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/json.h"
 #include "model/entity_edits.h"
 #include "model/hollow.h"
@@ -12,6 +14,7 @@
 #include "tools/brush_target.h"
 #include "world/ground.h"
 #include "world/height_layers.h"
+#include "world/water.h"
 
 namespace sward {
 namespace {
@@ -36,16 +39,35 @@ void add(Document& doc, const ViewCamera& view, Selection& selection, Messages& 
     say(messages, "new: " + name);
 }
 
-// The entity whose water the scene has, and its level; "": none.
-std::pair<std::string, double> waterOf(const Project& p) {
-    const Water* water = firstOf<Water>(p);
-    return water ? std::pair(entityOf(p, *water), static_cast<double>(water->level)) : std::pair(std::string(), 0.0);
+// A pond to dig: its water's entity, which may be there already, and its level in the terrain's heights.
+struct Pond {
+    std::string name;
+    double level = 0;
+    bool fresh = true;
+};
+
+// Where a water stands over the place, or no deeper below the ground there than a pond is, a hollow lets it in;
+// anywhere else the pond has a water of its own, below its rim. at, here: the middle and the ground's height there,
+// relative to the terrain's corner.
+Pond pondAt(const Project& p, const Ground& ground, const glm::dvec2& at, double here) {
+    const std::vector<WaterPlace> waters = watersOf(p, ground);
+    const auto fills = [&](const WaterPlace& w) {
+        return within(w, at.x, at.y) && here - static_cast<double>(w.water->level) < kPondDepth;
+    };
+    const auto own = std::find_if(waters.rbegin(), waters.rend(), fills);
+    if (own != waters.rend()) return {entityOf(p, *own->water), static_cast<double>(own->water->level), false};
+    return {freeName(p, "pond"), lowestAlongRim(*ground.terrain, at, kPondRadius) - kBelowRim, true};
 }
 
-Status addWater(Document& doc, const std::string& name, double level) {
-    if (Status s = doc.addEntity(name); !s) return s;
-    if (Status s = doc.addComponent(name, "Water"); !s) return s;
-    return doc.setField(name + ".Water.level", shortestText(static_cast<float>(level)));
+Status addWater(Document& doc, const Pond& pond, const glm::dvec3& at) {
+    if (Status s = doc.addEntity(pond.name); !s) return s;
+    for (const char* component : {"Transform", "Water"})
+        if (Status s = doc.addComponent(pond.name, component); !s) return s;
+    const std::string place = fmt::format("[{}, {}, {}]", shortestText(at.x), shortestText(at.y), shortestText(at.z));
+    if (Status s = doc.setField(pond.name + ".Transform.position", place); !s) return s;
+    if (Status s = doc.setField(pond.name + ".Water.radius", shortestText(static_cast<float>(kPondRadius))); !s)
+        return s;
+    return doc.setField(pond.name + ".Water.level", shortestText(static_cast<float>(pond.level)));
 }
 
 // What grows where its density is painted: nothing at first.
@@ -82,24 +104,23 @@ void addForest(Document& doc, Selection& selection, BrushBook& brushes, Messages
 void addPond(Document& doc, Waiting& waiting, const ViewCamera& view, Selection& selection, Messages& messages) {
     const auto at = pickGround(doc.standing(), view, 2, 2, 1, 1);
     if (!at) return showError(messages, failed("there is no ground in the middle of the view", "look at the ground"));
-    const double base = doc.ground().origin.y, here = at->y - base;
-    const auto [own, level] = waterOf(doc.project());
-    const double surface = own.empty() ? here - kBelowRim : level;
-    const std::string name = own.empty() ? freeName(doc.project(), "pond") : own;
-    Hollow hollow{{at->x, at->z}, kPondRadius, std::max(kPondDepth, here - surface + kPondDepth), surface};
-    const bool fresh = own.empty();
-    const auto dig = [hollow, name, fresh, surface](Document& d, JobControl&) {
-        return inOneStep(d, fresh ? "add " + name : "dig into " + name, [&]() -> Status {
-            if (Status s = digHollow(d, hollow); !s || !fresh) return s;
-            return addWater(d, name, surface);
+    const Ground ground = doc.ground();
+    const double base = ground.origin.y, here = at->y - base;
+    const Pond pond = pondAt(doc.project(), ground, {at->x - ground.origin.x, at->z - ground.origin.z}, here);
+    const Hollow hollow{{at->x, at->z}, kPondRadius, std::max(kPondDepth, here - pond.level + kPondDepth), pond.level};
+    const glm::dvec3 place = glm::round(glm::dvec3(at->x, base + pond.level, at->z) * 1e3) / 1e3;
+    const auto dig = [hollow, pond, place](Document& d, JobControl&) {
+        return inOneStep(d, (pond.fresh ? "add " : "dig into ") + pond.name, [&]() -> Status {
+            if (Status s = digHollow(d, hollow); !s || !pond.fresh) return s;
+            return addWater(d, pond, place);
         });
     };
-    editBeside(waiting, doc, "Digging a pond", dig, [&doc, &selection, &messages, name, fresh](const Status& done) {
+    editBeside(waiting, doc, "Digging a pond", dig, [&doc, &selection, &messages, pond](const Status& done) {
         if (!accept(messages, done)) return;
-        choose(selection, name);
+        choose(selection, pond.name);
         const std::string below = sculptsBelow(doc, heightsPath(doc.project()));
-        say(messages,
-            (fresh ? "new: " + name : "a hollow below the level of " + name) + (below.empty() ? "" : ", dug " + below));
+        say(messages, (pond.fresh ? "new: " + pond.name : "a hollow below the level of " + pond.name) +
+                          (below.empty() ? "" : ", dug " + below));
     });
 }
 

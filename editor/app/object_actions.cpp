@@ -23,7 +23,7 @@ std::string told(const std::vector<std::string>& names) {
     return names.size() == 1 ? names.front() : fmt::format("{} entities", names.size());
 }
 
-// The ground itself, and water, which has a level alone, stay where they are.
+// The ground itself, and water that stands everywhere, stay where they are.
 Status moveAside(Document& doc, const std::vector<std::string>& names, const glm::dvec3& aside) {
     const Ground ground = doc.ground();
     for (const std::string& name : names) {

@@ -27,16 +27,6 @@ void changeWithin(Map& map, const glm::dvec2& size, const glm::dvec2& middle, do
         }
 }
 
-// The lowest ground along the rim, so that water up to it stays within.
-double rimOf(const Terrain& t, const glm::dvec2& middle, double radius) {
-    double low = 1e30;
-    for (int i = 0; i < 32; ++i) {
-        const double a = 2 * 3.14159265358979 * i / 32;
-        low = std::min(low, terrainHeight(t, middle.x + radius * std::cos(a), middle.y + radius * std::sin(a)));
-    }
-    return low;
-}
-
 // Whether a texel of the map lies at one place of the terrain alone.
 bool coversOnce(const Project& p, const ConstFieldRef& map) {
     const Result<MapScale> scale = mapScale(p, map);
@@ -55,7 +45,7 @@ Status lower(Document& doc, const std::string& entity, const Hollow& h, const gl
         if (Status s = heightsAsFloats(doc); !s) return s;
         t = doc.project().registry.get<Terrain>(findEntity(doc.project(), entity));
     }
-    const double floor = rimOf(*t, middle, h.radius) - h.depth;
+    const double floor = lowestAlongRim(*t, middle, h.radius) - h.depth;
     Map heights = t->height.map;
     changeWithin(heights, t->size, middle, h.radius, [&](double was, double x, double z) {
         const double out = glm::length(glm::dvec2(x, z) - middle) / h.radius;
@@ -84,6 +74,15 @@ Status bare(Document& doc, const std::string& entity, const Hollow& h, const glm
 }
 
 }  // namespace
+
+double lowestAlongRim(const Terrain& t, const glm::dvec2& middle, double radius) {
+    double low = 1e30;
+    for (int i = 0; i < 32; ++i) {
+        const double a = 2 * 3.14159265358979 * i / 32;
+        low = std::min(low, terrainHeight(t, middle.x + radius * std::cos(a), middle.y + radius * std::sin(a)));
+    }
+    return low;
+}
 
 Status digHollow(Document& doc, const Hollow& hollow) {
     const Ground ground = findGround(doc.project());

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numerics.h"
 #include "panels/viewport_input.h"
 #include "scene/ground_path.h"
 #include "scene/locked.h"
@@ -100,7 +101,7 @@ void drawIcon(const ObjectParts& parts, const Handle& handle, const glm::dvec2& 
     if (handle.kind == HandleKind::Lamp) lampIcon(d, c, r, ink);
     if (handle.kind == HandleKind::Camera) cameraIcon(d, c, r, ink);
     if (handle.kind == HandleKind::Force) forceIcon(d, c, r, ink);
-    if (handle.kind == HandleKind::Water) waterIcon(d, c, r, ink);
+    if (handle.kind == HandleKind::Water || handle.kind == HandleKind::Pond) waterIcon(d, c, r, ink);
     ui::recordAt("Viewport/Icon " + handle.entity,
                  {ui::Kind::Area, c.x - r, c.y - r, c.x + r, c.y + r, chosen ? "true" : "false"});
 }
@@ -253,9 +254,26 @@ std::optional<Extent> extentOf(const ObjectParts& parts) {
     return Extent{(all.low + all.high) / 2.0, glm::length(all.high - all.low) / 2};
 }
 
+// The circle within which a chosen pond's water stands.
+void drawPond(const ObjectParts& parts, const Ground& ground, const std::string& name) {
+    const Handle handle = handleOf(parts.doc.project(), ground, name, parts.seconds);
+    if (handle.kind != HandleKind::Pond) return;
+    constexpr int kSides = 72;
+    const double radius =
+        static_cast<double>(parts.doc.project().registry.get<Water>(findEntity(parts.doc.project(), name))->radius);
+    const auto at = [&](int i) {
+        const double a = 2 * f64::kPi * i / kSides;
+        return handle.at + radius * glm::dvec3(std::cos(a), 0, std::sin(a));
+    };
+    for (const bool shadow : {true, false})
+        for (int i = 0; i < kSides; ++i)
+            sceneLine(parts, at(i), at(i + 1), shadow ? IM_COL32(0, 0, 0, 110) : kChosen, shadow ? 3.6f : 1.8f);
+}
+
 void drawObjects(const ObjectParts& parts) {
     if (!parts.active) return;
     const Ground ground = parts.doc.ground();
+    for (const std::string& name : parts.selection.entities) drawPond(parts, ground, name);
     for (const std::string& name : parts.selection.entities)
         if (const auto corners = parts.tool.objects.cornersOf(parts.doc.project(), ground, name))
             drawBox(parts, *corners, name == shownEntity(parts.selection) ? kChosen : kOthers);

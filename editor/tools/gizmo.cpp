@@ -189,14 +189,14 @@ bool partFits(const GizmoPart& part, std::span<const HandleKind> chosen) {
     const bool several = chosen.size() > 1;
     switch (part.shape) {
         case GizmoShape::Axis:
-            return any(chosen, {Object, Lamp, Camera, Force, Other}) || (part.axis == kY && any(chosen, {Water}));
+            return any(chosen, {Object, Lamp, Camera, Force, Pond, Other}) || (part.axis == kY && any(chosen, {Water}));
         case GizmoShape::Plane:
         case GizmoShape::Free:
-            return any(chosen, {Object, Lamp, Camera, Force, Other});
+            return any(chosen, {Object, Lamp, Camera, Force, Pond, Other});
         case GizmoShape::Ring:
             return any(chosen, {Object, Camera}) || (part.axis == kY && (several || any(chosen, {Force})));
         case GizmoShape::Size:
-            return any(chosen, {Object});
+            return any(chosen, {Object, Pond});
     }
     return false;
 }

@@ -45,7 +45,10 @@ Handle handleOf(const Project& p, const Ground& ground, const std::string& entit
         return {entity, HandleKind::Lamp, placeOf(*light, at, seconds)};
     if (r.get<ForceSource>(e) && transform)
         return {entity, HandleKind::Force, {at.x, groundHeight(ground, at.x, at.z), at.z}};
-    if (const Water* water = r.get<Water>(e)) return {entity, HandleKind::Water, placeOf(*water, ground)};
+    const Water* water = r.get<Water>(e);
+    if (water && water->radius > 0)
+        return {entity, HandleKind::Pond, {at.x, ground.origin.y + static_cast<double>(water->level), at.z}};
+    if (water) return {entity, HandleKind::Water, placeOf(*water, ground)};
     return transform ? Handle{entity, HandleKind::Other, at} : Handle{entity};
 }
 

@@ -13,7 +13,7 @@
 namespace sward {
 
 // What an entity is to the hand; None: it has no place in the scene.
-enum class HandleKind { None, Object, Lamp, Camera, Force, Water, Other };
+enum class HandleKind { None, Object, Lamp, Camera, Force, Water, Pond, Other };
 struct Handle {
     std::string entity;
     HandleKind kind = HandleKind::None;
@@ -21,7 +21,8 @@ struct Handle {
 };
 
 // An object stands where its file's origin does, a lamp where it shines at that time, a camera at its eye, a force on
-// the ground, water over the lowest of some places of the ground. Other: what has a Transform and is none of these.
+// the ground, a pond at its level in its middle, water everywhere over the lowest of some places of the ground. Other:
+// what has a Transform and is none of these.
 Handle handleOf(const Project& p, const Ground& ground, const std::string& entity, double seconds);
 // Of those named that have a place and are not Locked: what a drag moves.
 std::vector<Handle> movable(const Project& p, const Ground& ground, std::span<const std::string> entities,

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kFarthestPosition = 1e8, kDeepest = 1e5;         // of positions and of water's levels, metres
 constexpr float kLeastMeshScale = 0.001f, kMostMeshScale = 1000;  // as StaticMesh.scale takes it
+constexpr float kLeastPond = 0.01f, kWidestPond = 1e5f;           // metres of its radius, as Water.radius takes it
 
 double wrappedDegrees(double degrees) { return std::remainder(degrees, 360.0); }
 
@@ -68,11 +69,24 @@ void turnHeading(const std::string& path, float before, const Motion& m, FieldTe
     out.emplace_back(path, shortestText(static_cast<float>(wrappedDegrees(turned))));
 }
 
+std::string levelAt(const Water& water, double risen) {
+    return shortestText(static_cast<float>(std::clamp(static_cast<double>(water.level) + risen, -kDeepest, kDeepest)));
+}
+
+void movePond(const EntityStart& s, const Motion& m, const glm::dvec3& shift, FieldTexts& out) {
+    const std::string& name = s.handle.entity;
+    if (m.scale != 1)
+        out.emplace_back(name + ".Water.radius", shortestText(std::clamp(s.water.radius * static_cast<float>(m.scale),
+                                                                         kLeastPond, kWidestPond)));
+    out.emplace_back(name + ".Water.level", levelAt(s.water, shift.y));
+    out.emplace_back(name + ".Transform.position", text(s.transform.position, s.transform.position + shift));
+}
+
 }  // namespace
 
 bool movesTransform(HandleKind kind) {
     return kind == HandleKind::Object || kind == HandleKind::Lamp || kind == HandleKind::Force ||
-           kind == HandleKind::Other;
+           kind == HandleKind::Pond || kind == HandleKind::Other;
 }
 
 EntityStart startOf(const Project& p, const Handle& handle) {
@@ -105,9 +119,10 @@ FieldTexts movedFields(const EntityStart& s, const Motion& m, const Ground& grou
             break;
         }
         case HandleKind::Water:
-            out.emplace_back(name + ".Water.level",
-                             shortestText(static_cast<float>(
-                                 std::clamp(static_cast<double>(s.water.level) + m.move.y, -kDeepest, kDeepest))));
+            out.emplace_back(name + ".Water.level", levelAt(s.water, m.move.y));
+            break;
+        case HandleKind::Pond:
+            movePond(s, m, shift, out);
             break;
         case HandleKind::Force:
             turnHeading(name + ".ForceSource.headingDeg", s.force.headingDeg, m, out);

@@ -1,7 +1,7 @@
 // What moving, turning and scaling does to an entity's fields. Pure.
-// Each kind has a place of its own: Transform, Camera's eye and target, Water's level; and a direction: StaticMesh's
-// turn, ForceSource's heading, a lamp's azimuth. Does not: change a project (panels/viewport_gizmo.h does, through
-// Document).
+// Each kind has a place of its own: Transform, Camera's eye and target, Water's level, and a pond's Transform and
+// radius beside; and a direction: StaticMesh's turn, ForceSource's heading, a lamp's azimuth. Does not: change a
+// project (panels/viewport_gizmo.h does, through Document).
 #pragma once
 #include <glm/glm.hpp>
 #include <string>

@@ -65,6 +65,12 @@ struct ForceTarget {
     std::span<const Force> forces;  // those that reach into it
 };
 
+// A picture of what a water mirrors; no texture: it mirrors nothing.
+struct Reflection {
+    GLuint texture = 0;
+    glm::vec2 scale{0}, at{0};  // of its texture coordinates: a clip unit of the view, and at the view's middle
+};
+
 // What effects hand to effects that run later (scene/slots.h). Domains never include each other: what is of a domain's
 // own is opaque here. First what is the same for all views of a frame; it is kept from frame to frame.
 struct SharedByViews {
@@ -84,12 +90,12 @@ struct SharedResources : SharedByViews {
     GroundMesh groundMesh;
     GrassFields* grass = nullptr;
     SoilGrowth soil;
-    std::vector<ShadowCaster> casters;   // of this frame
-    uint64_t castersHash = 0;            // equal: the same triangles at the same places; who appends adds its own to it
-    GLuint reflection = 0;               // what the water mirrors; 0: nothing
-    glm::vec2 reflectionScale{0};        // of its texture coordinates, a clip unit
-    LightsGlobals lights{};              // beside the sun, as bound to UBO_LIGHTS
-    std::vector<glm::dvec3> lampPlaces;  // theirs in the world; of directional ones: unit vectors towards them
+    std::vector<ShadowCaster> casters;  // of this frame
+    uint64_t castersHash = 0;           // equal: the same triangles at the same places; who appends adds its own to it
+    glm::vec2 sampleShift{0};           // clip units by which the picture is moved in this frame, so that frames add up
+    std::vector<Reflection> reflections;  // what each water mirrors, in the order of watersOf (world/water.h)
+    LightsGlobals lights{};               // beside the sun, as bound to UBO_LIGHTS
+    std::vector<glm::dvec3> lampPlaces;   // theirs in the world; of directional ones: unit vectors towards them
 };
 
 // What to draw of a view within the view (ViewRow).

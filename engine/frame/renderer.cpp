@@ -288,7 +288,7 @@ struct Renderer::Impl {
     ViewTargets targets;
     VertexArray empty;
     RenderedView main;
-    std::map<const EffectRow*, RenderedView> within;  // by who shows them
+    std::map<const EffectRow*, std::vector<RenderedView>> within;  // by who shows them, as many as it asked for
     bool planned = false;
     FeatureSet coarsePlanned;  // of the views within
     States states;
@@ -317,13 +317,14 @@ struct Renderer::Impl {
         coarsePlanned = coarse;
         main.plan = planFrame(features, kViewMain, tables.effects);
         std::vector<std::string> programsKept = main.plan.programs();
-        std::map<const EffectRow*, RenderedView> kept;
+        std::map<const EffectRow*, std::vector<RenderedView>> kept;
         for (const Step& s : main.plan.steps)
             if (s.within) {
-                RenderedView& view = kept[s.effect] = std::move(within[s.effect]);
-                view.plan = planFrame(coarse, s.within->view, tables.effects);
-                keepOnly(view.states, view.plan);
-                const std::vector<std::string> more = view.plan.programs();
+                std::vector<RenderedView>& views = kept[s.effect] = std::move(within[s.effect]);
+                const FramePlan plan = planFrame(coarse, s.within->view, tables.effects);
+                if (views.empty()) views.emplace_back();
+                for (RenderedView& view : views) view.plan = plan, keepOnly(view.states, plan);
+                const std::vector<std::string> more = plan.programs();
                 programsKept.insert(programsKept.end(), more.begin(), more.end());
             }
         within = std::move(kept);
@@ -404,9 +405,19 @@ struct Renderer::Impl {
     }
 
     void drawWithin(DrawContext& outer, const Step& step) {
-        ViewRequest request;
-        if (!step.within->request(outer, request)) return;
-        RenderedView& view = within[step.effect];
+        std::vector<ViewRequest> requests;
+        step.within->request(outer, requests);
+        if (requests.empty()) return;
+        std::vector<RenderedView>& views = within[step.effect];
+        while (views.size() < requests.size()) {
+            RenderedView another;
+            another.plan = views.front().plan;
+            views.push_back(std::move(another));
+        }
+        for (size_t i = 0; i < requests.size(); ++i) drawRequest(outer, requests[i], views[i], step.within->prefix);
+        step.within->drawn(outer);
+    }
+    void drawRequest(DrawContext& outer, const ViewRequest& request, RenderedView& view, const char* prefix) {
         beginShared(view.shared, outer.shared);
         FrameStats counts;
         FrameGlobals globals = outer.globals;
@@ -418,13 +429,12 @@ struct Renderer::Impl {
         ctx.around = outer.around;
         glFrontFace(request.mirrored ? GL_CW : GL_CCW);
         if (request.mirrored) glEnable(GL_CLIP_DISTANCE0);
-        run(ctx, view, step.within->prefix);
+        run(ctx, view, prefix);
         glDisable(GL_CLIP_DISTANCE0);
         glFrontFace(GL_CCW);
         outer.stats.passes.insert(outer.stats.passes.end(), counts.passes.begin(), counts.passes.end());
         outer.stats.cpuCullMs += counts.cpuCullMs;
         if (outer.error.empty()) outer.error = ctx.error;
-        step.within->drawn(outer);
     }
 
     void runPass(DrawContext& ctx, const Pass& row, const char* prefix) {
@@ -482,6 +492,7 @@ ViewSettings overDrawn(const ViewSettings& wanted, const Project& drawn, const T
 Status Renderer::draw(const Project& painted, const ViewCamera& camera, const ViewSettings& wanted) {
     Impl& r = *impl_;
     const auto start = std::chrono::steady_clock::now();
+    const int refusedBefore = r.gpu.errors;
     r.beside = wanted.background;
     const Project& project = r.asDrawn(painted);
     const ViewSettings settings = &project == &painted ? wanted : overDrawn(wanted, project, r.tables);
@@ -506,6 +517,9 @@ Status Renderer::draw(const Project& painted, const ViewCamera& camera, const Vi
     r.stats.gpuBytes = static_cast<uint64_t>(r.gpu.totalBytes());
     r.stats.frameMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     if (!ctx.error.empty()) return failed(ctx.error, "the shaders/ folder must be of the same version as the program");
+    if (r.gpu.errors != refusedBefore && !settings.background)  // somebody at work goes on with what there is
+        return failed("OpenGL refused a part of the picture: " + r.gpu.lastError,
+                      "update the graphics driver; if that does not help, report the scene and the driver's name");
     return {};
 }
 
@@ -528,7 +542,8 @@ std::vector<JobNews> Renderer::jobs() const {
     };
     add(impl_->states);
     add(impl_->main.states);
-    for (const auto& [row, view] : impl_->within) add(view.states);
+    for (const auto& [row, views] : impl_->within)
+        for (const RenderedView& view : views) add(view.states);
     impl_->drawn.news(out);
     // Finished: the next draw shows more.
     if (impl_->sketched) out.push_back({"programs", 1, true});

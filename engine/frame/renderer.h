@@ -91,7 +91,8 @@ class Renderer {
     Renderer(Gpu& gpu, const Tables& tables);
     ~Renderer();
     // Draws into a texture of settings' size; resolved, tone-mapped, sRGB-encoded RGBA8, first row at the bottom.
-    // Fails only if a program does not compile and no earlier version of it did; the message is the compiler's.
+    // Fails if a program does not compile and no earlier version of it did (the message is the compiler's), or, without
+    // `background`, if OpenGL refuses a call, after which the picture may be black.
     Status draw(const Project& project, const ViewCamera& camera, const ViewSettings& settings);
     unsigned image() const;                  // GL texture of the last draw
     std::vector<uint8_t> readImage() const;  // RGB8, first row on top

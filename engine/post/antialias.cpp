@@ -90,6 +90,7 @@ void shift(DrawContext& ctx) {
     s.before = s.now;
     s.now = {ctx.eye, g.viewProj, ctx.settings.time, g.exposure};
     const glm::vec2 place = 2.0f * placeInPixel(s.frame) * g.pixelShare;
+    ctx.shared.sampleShift = place;
     g.viewProj = glm::translate(glm::mat4(1), glm::vec3(place, 0)) * g.viewProj;
     g.invViewProj = glm::inverse(g.viewProj);
     g.lookShare = kLookShare;
@@ -130,7 +131,8 @@ void draw(DrawContext& ctx) {
     ctx.stats.addsUp = s.atRest < frames;
 }
 
-const System kSystems[] = {{"post/antialias/shift", {}, shift}};
+// Before all views, so that what is shown within the main one moves as well.
+const System kSystems[] = {{"post/antialias/shift", {.writes = {Slot::SampleShift}}, shift, true}};
 const ProgramRow kPrograms[] = {{"post/antialias", "post/fullscreen.vert.glsl", "post/antialias.frag.glsl", nullptr}};
 const Pass kPasses[] = {{"post/antialias",
                          Stage::Post,

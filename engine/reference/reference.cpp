@@ -278,13 +278,13 @@ struct WaterShows {
 };
 WaterShows waterShows(const View& v, const WaterMet& w, const Ray& ray, Dice& dice, GrassMemory& memory) {
     WaterShows shows;
-    shows.body = v.water.color() * v.globals.skyLight;
+    shows.body = w.color * v.globals.skyLight;
     Surface s;
     s.met = Met::Water;
     s.at = w.at;
     eachLight(v, s.at, [&](const Arriving& l) {
         if (!(l.towards.y > 0) || (l.casts && !lit(v, s, l.towards, l.far, dice, memory))) return;
-        shows.body += v.water.color() * l.color * l.towards.y;
+        shows.body += w.color * l.color * l.towards.y;
         shows.glint += l.color * f32::sunGlint(w.slope, f32::kSmoothest, glm::vec3(-ray.way), l.towards);
     });
     return shows;
@@ -314,8 +314,8 @@ void crossWater(const View& v, Path& path, const WaterMet& w, Dice& dice, GrassM
         path.weight *= 1 - haze;
         return;
     }
-    const glm::vec3 left = path.met ? f32::waterLeft(v.water.extinction(), static_cast<float>(path.met->t),
-                                                     static_cast<float>(v.water.level() - path.met->at.y))
+    const glm::vec3 left = path.met ? f32::waterLeft(w.extinction, static_cast<float>(path.met->t),
+                                                     static_cast<float>(w.level - path.met->at.y))
                                     : glm::vec3(0);
     path.sum += path.weight * shows.body * (glm::vec3(1) - left);
     path.weight *= left;

@@ -16,19 +16,17 @@ struct WaterMet {
     double t = 0;
     glm::vec2 slope{0};
     glm::vec3 normal{0, 1, 0};
-    float mirror = 0;  // share of the light that is thrown back
+    float mirror = 0;                   // share of the light that is thrown back
+    double level = 0;                   // of that water,
+    glm::vec3 color{0}, extinction{0};  // and what is in it (WaterGlobals)
 };
 
 class WaterRays {
   public:
-    // Of the project's first Water over its terrain, about an eye (relative to the terrain's corner); `p` must outlive
-    // it.
+    // Of the project's waters over its terrain, about an eye (relative to the terrain's corner); `p` must outlive them.
     static WaterRays make(const Project& p, double time, const glm::dvec3& eye);
     // A ray that comes down from above and meets the surface before `far`.
     std::optional<WaterMet> enters(const Ray& ray, double far) const;
-    double level() const { return level_; }
-    glm::vec3 color() const { return globals_.color; }
-    glm::vec3 extinction() const { return globals_.extinction; }
 
   private:
     const Terrain* terrain_ = nullptr;
@@ -36,9 +34,9 @@ class WaterRays {
     const Map* gusts_ = nullptr;
     Map made_;
     WindGlobals blows_{};
-    WaterGlobals globals_{};
+    std::vector<WaterPlace> places_;
+    std::vector<WaterGlobals> globals_;  // by place
     glm::dvec3 eye_{0};
-    double level_ = 0;
 };
 
 }  // namespace sward

@@ -194,9 +194,11 @@ struct Fog {
     float visibility = 4000;  // metres at which contrast has fallen to 2% (Koschmieder)
 };
 
-// Water up to a level: it stands wherever the terrain lies lower. The first by name counts. Formulas: numerics/water.h.
+// Water up to a level: it stands wherever the terrain lies lower, or only about a place: a scene has as many ponds as
+// it likes, each with its own level. Formulas: numerics/water.h.
 struct Water {
     float level = 0;                         // metres, in the terrain's heights
+    float radius = 0;                        // metres about the Transform's x and z; 0: over the whole terrain
     float clarity = 2.5f;                    // metres over which what lies under water loses all but 2% of its contrast
     glm::vec3 color{0.014f, 0.03f, 0.026f};  // of deep water: share of the light from above that it sends back
     float ripples = 0.35f;    // slopes as a share of the open sea's in this wind; in a calm it lies still

@@ -241,14 +241,14 @@ struct System {
     bool once = false;  // what it does is the same for every view of a frame
 };
 
-// A view within the main one, such as what water mirrors: it is drawn, in its coarse version, before anything of the
-// view that shows it.
+// Views within the main one, such as what each water mirrors: they are drawn, in their coarse version, before anything
+// of the view that shows them.
 struct ViewRow {
     ViewBits view;       // the passes that take part
     const char* prefix;  // of their names in statistics
     SlotUse uses;
-    bool (*request)(DrawContext&, ViewRequest&);  // says what to draw; false: nothing in this frame
-    void (*drawn)(DrawContext&);                  // after that, in the view that shows it
+    void (*request)(DrawContext&, std::vector<ViewRequest>&);  // adds what to draw in this frame
+    void (*drawn)(DrawContext&);                               // after that, in the view that shows it
 };
 
 // How far what an effect draws follows something in the scene, in the user's words.

@@ -10,6 +10,7 @@ namespace sward {
 // What systems and passes of one frame hand to each other: pictures, and what DrawContext::shared holds. Who reads a
 // slot runs after all that fill it, whatever the table's order.
 enum class Slot : uint8_t {
+    SampleShift,  // where in their pixels a frame takes its samples
     Sun,          // the first directional light
     SkyLight,     // light of the sky, and what is left of the sun's
     Haze,         // how far one sees

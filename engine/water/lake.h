@@ -9,8 +9,8 @@
 namespace sward {
 
 // Low x, z and high x, z relative to the eye of what of the water may be in view: of those kBoundsGrid x kBoundsGrid
-// parts of the terrain that reach below the level. Nothing where none does, none is seen, or the eye is not above the
-// water.
-std::optional<glm::vec4> waterInView(DrawContext& ctx, const Water& water);
+// parts of the terrain that reach below the level, as far as the water's place goes. Nothing where none does, none is
+// seen, or the eye is not above the water.
+std::optional<glm::vec4> waterInView(DrawContext& ctx, const WaterPlace& place);
 
 }  // namespace sward

@@ -1,5 +1,7 @@
 #include "water/surface.h"
 
+#include <algorithm>
+
 #include "water/lake.h"
 #include "world/wind.h"
 
@@ -9,20 +11,31 @@ namespace {
 constexpr const char* kOwner = "water/surface";
 
 struct SurfaceView : EffectState {
-    Buffer block;
-    bool seen = false;
+    struct Seen {
+        Buffer block;
+        GLuint reflected = 0;  // what it mirrors
+        bool inView = false;
+    };
+    std::vector<Seen> waters;  // the lowest first: what lies deeper is seen through what lies higher
 };
 
 void update(DrawContext& ctx) {
     SurfaceView& s = ctx.ofView<SurfaceView>();
-    const Water& water = *waterOf(ctx.project);
-    const auto square = waterInView(ctx, water);
-    s.seen = square.has_value();
-    WaterGlobals g = waterGlobals(water, windOf(ctx.project), ctx.eye, ctx.settings.time);
-    g.mirrorScale = {ctx.shared.reflection ? ctx.shared.reflectionScale.x : 0, ctx.shared.reflectionScale.y};
-    const glm::vec4 seen = square.value_or(glm::vec4(0));
-    g.low = {seen.x, seen.y}, g.high = {seen.z, seen.w};
-    writeBuffer(ctx.gpu, s.block, kOwner, sizeof(g), &g);
+    const std::vector<WaterPlace> places = watersOf(ctx.project, ctx.shared.ground);
+    s.waters.resize(places.size());
+    for (size_t i = 0; i < places.size(); ++i) {
+        SurfaceView::Seen& seen = s.waters[i];
+        const auto square = waterInView(ctx, places[i]);
+        seen.inView = square.has_value();
+        if (!square) continue;
+        WaterGlobals g = waterGlobals(places[i], windOf(ctx.project), ctx.eye, ctx.settings.time);
+        g.low = {square->x, square->y}, g.high = {square->z, square->w};
+        const Reflection r = i < ctx.shared.reflections.size() ? ctx.shared.reflections[i] : Reflection{};
+        seen.reflected = r.texture;
+        g.mirrorScale = r.scale, g.mirrorAt = r.at;
+        g.mirrors = r.texture ? 1 : 0;
+        writeBuffer(ctx.gpu, seen.block, kOwner, sizeof(g), &g);
+    }
 }
 
 // Dimmed by what the fragment's second output says, and its first added: alpha stays.
@@ -41,16 +54,20 @@ void endBlending() {
 }
 
 void draw(DrawContext& ctx) {
-    SurfaceView& s = ctx.ofView<SurfaceView>();
-    if (ctx.settings.mode != ViewMode::Final || !ctx.use(0, depthConstants(ctx.targets)) || !s.seen) return;
-    glBindBufferBase(GL_UNIFORM_BUFFER, UBO_WATER, s.block.id());
+    const SurfaceView& s = ctx.ofView<SurfaceView>();
+    const bool any = std::any_of(s.waters.begin(), s.waters.end(), [](const auto& w) { return w.inView; });
+    if (ctx.settings.mode != ViewMode::Final || !ctx.use(0, depthConstants(ctx.targets)) || !any) return;
     glBindTextureUnit(ctx.targets.samples > 1 ? TEX_DEPTH_SAMPLES : TEX_DEPTH, ctx.targets.depth.id());
-    if (ctx.shared.reflection) glBindTextureUnit(TEX_REFLECTION, ctx.shared.reflection);
     beginBlending();
-    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    for (const SurfaceView::Seen& water : s.waters) {
+        if (!water.inView) continue;
+        glBindBufferBase(GL_UNIFORM_BUFFER, UBO_WATER, water.block.id());
+        if (water.reflected) glBindTextureUnit(TEX_REFLECTION, water.reflected);
+        glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+        ctx.pass->draws += 1;
+        ctx.pass->instances += 1;
+    }
     endBlending();
-    ctx.pass->draws += 1;
-    ctx.pass->instances += 1;
 }
 
 const System kSystems[] = {{"water/ripples", {.reads = {Slot::Ground, Slot::Reflection}}, update}};

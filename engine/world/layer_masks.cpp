@@ -79,26 +79,34 @@ void layRaster(WaterDistances& w, const Terrain& t) {
     w.height = std::max(static_cast<int>(std::ceil(t.size.y / w.cell)), 1);
 }
 
-std::vector<uint8_t> wetCells(const WaterDistances& w, const Terrain& t, double level) {
+bool wetAt(const std::vector<WaterPlace>& waters, const Terrain& t, double x, double z) {
+    const double height = terrainHeight(t, x, z);
+    return std::any_of(waters.begin(), waters.end(), [&](const WaterPlace& place) {
+        return height < static_cast<double>(place.water->level) && within(place, x, z);
+    });
+}
+
+std::vector<uint8_t> wetCells(const WaterDistances& w, const Terrain& t, const std::vector<WaterPlace>& waters) {
     std::vector<uint8_t> wet(static_cast<size_t>(w.width) * static_cast<size_t>(w.height));
     parallelFor(static_cast<size_t>(w.height), [&](size_t z) {
         for (int x = 0; x < w.width; ++x)
             wet[z * static_cast<size_t>(w.width) + static_cast<size_t>(x)] =
-                terrainHeight(t, (x + 0.5) * w.cell, (static_cast<double>(z) + 0.5) * w.cell) < level;
+                wetAt(waters, t, (x + 0.5) * w.cell, (static_cast<double>(z) + 0.5) * w.cell);
     });
     return wet;
 }
 
-void updateWater(WaterDistances& w, const Terrain& t, const Water& water) {
+void updateWater(WaterDistances& w, const Terrain& t, const std::vector<WaterPlace>& waters) {
     const auto [offset, scale] = heightScale(t);
-    std::string of =
-        fmt::format("{} {} {} {} {} {} {}", water.level, t.size.x, t.size.y, offset, scale, t.heightTiling, t.mapSize);
+    std::string of = fmt::format("{} {} {} {} {} {}", t.size.x, t.size.y, offset, scale, t.heightTiling, t.mapSize);
+    for (const WaterPlace& place : waters)
+        of += fmt::format(" {} {} {} {}", place.water->level, place.middle.x, place.middle.y, place.radius);
     if (w.of == of && w.heights.sameTiles(t.height.map)) return;
     w.of = std::move(of);
     w.heights = t.height.map;
     const double before = w.cell;
     layRaster(w, t);
-    std::vector<uint8_t> wet = wetCells(w, t, static_cast<double>(water.level));
+    std::vector<uint8_t> wet = wetCells(w, t, waters);
     if (wet == w.wet && before == w.cell) return;
     w.wet = std::move(wet);
     w.metres = distancesTo(w.wet, w.width, w.height, 1);
@@ -119,17 +127,17 @@ float waterDistance(const WaterDistances& w, double x, double z) {
 }
 
 Result<Measure> measureWater(MaskScene& scene, const MapMask&) {
-    const Water* water = waterOf(*scene.project);
-    if (!water) return unsound("the scene has no water", "add an entity with Water");
-    updateWater(scene.water, *scene.ground.terrain, *water);
+    const std::vector<WaterPlace> waters = watersOf(*scene.project, scene.ground);
+    if (waters.empty()) return unsound("the scene has no water", "add an entity with Water");
+    updateWater(scene.water, *scene.ground.terrain, waters);
     const WaterDistances& distances = scene.water;
     return Measure([&distances](double x, double z) { return waterDistance(distances, x, z); });
 }
 
 std::string waterInputs(MaskScene& scene, const MapMask&) {
-    const Water* water = waterOf(*scene.project);
-    if (!water) return "none";
-    updateWater(scene.water, *scene.ground.terrain, *water);
+    const std::vector<WaterPlace> waters = watersOf(*scene.project, scene.ground);
+    if (waters.empty()) return "none";
+    updateWater(scene.water, *scene.ground.terrain, waters);
     return std::to_string(scene.water.version);
 }
 

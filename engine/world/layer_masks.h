@@ -23,7 +23,7 @@ struct WaterDistances {
     int width = 0, height = 0;  // cells
     double cell = 0;            // metres
     uint64_t version = 0;       // another number: other distances
-    Map heights;                // that it was made of, and what else: level, size, scale, tiling
+    Map heights;                // that it was made of, and what else: levels and places, size, scale, tiling
     std::string of;
 };
 struct ObjectOutline {

@@ -1,5 +1,8 @@
 #include "world/water.h"
 
+#include <algorithm>
+#include <compare>
+
 #include "core/numerics.h"
 
 namespace sward {
@@ -8,7 +11,8 @@ namespace {
 constexpr double kShortest = 1.0 / 20;  // of the ripples, as a share of the longest
 constexpr double kSpreadDeg = 70;       // of their ways about the wind
 constexpr double kGravity = 9.81;
-constexpr float kMirroredAt = 10;  // metres from the surface: what ripples move in the mirror is taken to be so far
+constexpr double kWidestPlace = 1e9;  // metres: wider than any terrain, and its square is still a float
+constexpr float kMirroredAt = 10;     // metres from the surface: what ripples move in the mirror is taken to be so far
 constexpr glm::vec3 kPureWater{0.264f, 0.0565f, 0.0101f};  // 1/m
 
 // Its turns a metre and phase at the eye; its share of the slopes is every wave's.
@@ -25,14 +29,33 @@ WaterWave waveOf(int i, const Water& water, const Wind& wind, const glm::dvec2& 
 
 }  // namespace
 
-const Water* waterOf(const Project& p) {
-    for (const auto& [name, e] : p.entities)
-        if (const Water* w = p.registry.get<Water>(e)) return w;
-    return nullptr;
+std::vector<WaterPlace> watersOf(const Project& p, const Ground& ground) {
+    std::vector<WaterPlace> places;
+    p.registry.each<Water>([&](Entity e, const Water& water) {
+        WaterPlace& place = places.emplace_back();
+        place.water = &water;
+        if (!(water.radius > 0)) return;
+        const Transform* t = p.registry.get<Transform>(e);
+        const glm::dvec3 at = (t ? t->position : glm::dvec3(0)) - ground.origin;
+        place.middle = {at.x, at.z};
+        place.radius = static_cast<double>(water.radius);
+    });
+    std::stable_sort(places.begin(), places.end(), [](const WaterPlace& a, const WaterPlace& b) {
+        return std::strong_order(a.water->level, b.water->level) < 0;
+    });
+    return places;
 }
 
-WaterGlobals waterGlobals(const Water& water, const Wind* wind, const glm::dvec3& eye, double seconds) {
+bool within(const WaterPlace& place, double x, double z) {
+    const glm::dvec2 off = glm::dvec2(x, z) - place.middle;
+    return !(glm::dot(off, off) > place.radius * place.radius);
+}
+
+WaterGlobals waterGlobals(const WaterPlace& place, const Wind* wind, const glm::dvec3& eye, double seconds) {
+    const Water& water = *place.water;
     WaterGlobals g{};
+    g.middle = place.middle - glm::dvec2(eye.x, eye.z);
+    g.radius = static_cast<float>(std::min(place.radius, kWidestPlace));
     g.height = static_cast<float>(static_cast<double>(water.level) - eye.y);
     g.color = water.color;
     g.mirroredAt = kMirroredAt;

@@ -1,4 +1,4 @@
--- A park of 120 x 120 m: rolling ground, gravel paths, two ponds left bare, a mown lawn with soft edges, and meadows of
+-- A park of 120 x 120 m: rolling ground, gravel paths, two ponds, a mown lawn with soft edges, and meadows of
 -- tall grass. Writes project.json and maps/ beside itself.
 
 local size = 120
@@ -88,12 +88,23 @@ for _, pond in ipairs(ponds) do
     map.disc(height, { x = pond.centre[1], z = pond.centre[2], radius = pond.hollow, soft = 2 * pond.hollow - 2, mode = "add", value = -pond.deep })
     local level = lowestAround(pond) - 0.2
     map.polygon(height, { points = pond.shore, value = level + 0.3, soft = 18, opacity = 0.9 })
-    map.polygon(height, { points = pond.shore, value = level, soft = 3 })
+    map.polygon(height, { points = pond.shore, value = level - 0.9, soft = 5 })
+    pond.level = level + 0.1
 end
 map.blur(height, 0.8)
 map.noise(height, { scale = 3, octaves = 3, amount = 0.04, seed = 12 })
 
--- Colours (sRGB) over the soil: gravel, and the mud of the ponds darkening towards the middle.
+-- Water stands in each pond at its own level, no farther than its shore.
+for i, pond in ipairs(ponds) do
+    local radius = 0
+    for _, p in ipairs(pond.shore) do
+        radius = math.max(radius, math.sqrt((p[1] - pond.centre[1]) ^ 2 + (p[2] - pond.centre[2]) ^ 2))
+    end
+    entity.add("pond-" .. i, { Transform = { position = { pond.centre[1], pond.level, pond.centre[2] } },
+                               Water = { level = pond.level, radius = radius + 2.5, clarity = 1.6 } })
+end
+
+-- Colours (sRGB) over the soil: gravel, and the mud of the ponds' banks and beds.
 map.create { path = ground, width = 1200, height = 1200, type = "u8", value = { 0.3, 0.26, 0.19, 0 } }
 for _, path in ipairs(paths) do
     map.polyline(ground, { points = path.points, width = path.width, soft = 0.35, value = { 0.46, 0.42, 0.35, 1 } })

@@ -20,7 +20,11 @@ struct STD140 WaterGlobals {
     float mirroredAt;  // metres from the surface at which mirrored things are taken to be
     vec2 low;          // x, z of what may be seen of it, relative to the eye: from
     vec2 high;         // to
-    vec2 mirrorScale;  // texture coordinates of what it mirrors, a clip unit; 0: only the sky
+    vec2 mirrorScale;  // texture coordinates of the picture of what it mirrors, a clip unit,
+    vec2 mirrorAt;     // and those at the middle of the view
+    vec2 middle;       // x, z of the place over which it stands, relative to the eye
+    float radius;      // of that place (m)
+    float mirrors;     // 1: there is such a picture; 0: it mirrors only the sky
     WaterWave waves[WATER_WAVES];
 };
 

@@ -14,6 +14,8 @@
 layout(std140, binding = UBO_WATER) uniform WaterBlock { WaterGlobals water; };
 layout(binding = TEX_REFLECTION) uniform sampler2D reflected;
 
+const float kWidestSmear = 0.58;  // clip units
+
 in vec3 position;
 layout(location = 0, index = 0) out vec4 added;
 layout(location = 0, index = 1) out vec4 factor;
@@ -53,7 +55,7 @@ float depthBelow(float surface) {
 // mirrored eye: the image of what lies above the water is where the eye sees it below.
 vec2 inMirror(vec3 towards) {
     vec4 clip = frame.viewProj * vec4(position + vec3(towards.x, -towards.y, towards.z) * water.mirroredAt, 1.0);
-    return clip.xy / clip.w * water.mirrorScale + 0.5;
+    return clip.xy / clip.w * water.mirrorScale + water.mirrorAt;
 }
 
 vec3 skyFrom(vec3 towards) { return mix(horizonColor(towards.xz), frame.skyLight, sqrt(towards.y)); }
@@ -61,14 +63,13 @@ vec3 skyFrom(vec3 towards) { return mix(horizonColor(towards.xz), frame.skyLight
 // What the water mirrors: smeared along the view by waves that are too small for a pixel.
 vec3 mirroredLight(vec3 toEye, vec3 ripple) {
     vec3 r = mirrored(-toEye, rippleNormal(ripple.xy));
-    if (!WATER_REFLECTION || !(water.mirrorScale.x > 0.0)) return skyFrom(r);
+    if (!WATER_REFLECTION || !(water.mirrors > 0.0)) return skyFrom(r);
     vec2 along = normalize(toEye.xz + vec2(1e-6, 0.0)) * sqrt(max(ripple.z - kSmoothest, 0.0));
     vec2 uv = inMirror(r);
     vec2 smear = inMirror(mirrored(-toEye, rippleNormal(ripple.xy + along))) -
                  inMirror(mirrored(-toEye, rippleNormal(ripple.xy - along)));
-    vec2 texel = 1.0 / vec2(textureSize(reflected, 0));
-    return textureGrad(reflected, uv, vec2(texel.x, 0.0), vec2(0.0, texel.y) + clamp(smear, vec2(-0.25), vec2(0.25)))
-        .rgb;
+    vec2 texel = 1.0 / vec2(textureSize(reflected, 0)), widest = kWidestSmear * water.mirrorScale;
+    return textureGrad(reflected, uv, vec2(texel.x, 0.0), vec2(0.0, texel.y) + clamp(smear, -widest, widest)).rgb;
 }
 
 // Light of lamps that falls on the water, and what of it the surface throws to the eye.
@@ -88,6 +89,8 @@ LampsHere lampsOnWater(vec3 toEye, vec3 ripple) {
 }
 
 void main() {
+    vec2 off = position.xz - water.middle;
+    if (dot(off, off) > water.radius * water.radius) discard;
     float distance = length(position);
     vec3 toEye = -position / distance, ripple = ripples();
     vec3 n = rippleNormal(ripple.xy);

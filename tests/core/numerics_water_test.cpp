@@ -42,7 +42,7 @@ TEST(NumericsWater, RaysBendBySnellAndAreThrownBackAtTheSameAngle) {
 TEST(NumericsWater, WhatIsInClearSightLosesAllButTwoPercent) {
     Water w;
     w.clarity = 4;
-    const glm::vec3 left = f32::waterLeft(waterGlobals(w, nullptr, {}, 0).extinction, 4, 0);
+    const glm::vec3 left = f32::waterLeft(waterGlobals({&w}, nullptr, {}, 0).extinction, 4, 0);
     EXPECT_LT(left.x, left.y);  // water takes red first
     EXPECT_NEAR(left.y, 0.02f * std::exp(-0.0565f * 4), 1e-4f);
     EXPECT_EQ(f32::waterLeft(glm::vec3(1), 0, 0), glm::vec3(1));
@@ -65,8 +65,8 @@ TEST(NumericsWater, SlopesAreTheOpenSeasAtFullStrengthAndNoneInACalm) {
     w.ripples = 1;
     Wind wind;
     wind.speed = 5;
-    EXPECT_NEAR(meanSquare(waterGlobals(w, &wind, {}, 0)), 0.003 + 0.00512 * 5, 0.002);
-    EXPECT_EQ(meanSquare(waterGlobals(w, nullptr, {}, 0)), 0);
+    EXPECT_NEAR(meanSquare(waterGlobals({&w}, &wind, {}, 0)), 0.003 + 0.00512 * 5, 0.002);
+    EXPECT_EQ(meanSquare(waterGlobals({&w}, nullptr, {}, 0)), 0);
 }
 
 TEST(NumericsWater, AMonthLaterAndFarAwayRipplesStepAsEvenly) {
@@ -77,8 +77,8 @@ TEST(NumericsWater, AMonthLaterAndFarAwayRipplesStepAsEvenly) {
         double worst = 0;
         for (int i = 0; i < 200; ++i) {
             const glm::vec2 at(0.37f * static_cast<float>(i), 0);
-            const glm::vec2 a = waterSlope(waterGlobals(w, &wind, eye, from), at, 1),
-                            b = waterSlope(waterGlobals(w, &wind, eye, from + 1.0 / 60), at, 1);
+            const glm::vec2 a = waterSlope(waterGlobals({&w}, &wind, eye, from), at, 1),
+                            b = waterSlope(waterGlobals({&w}, &wind, eye, from + 1.0 / 60), at, 1);
             worst = std::max(worst, static_cast<double>(glm::length(a - b)));
         }
         return worst;
@@ -91,7 +91,8 @@ TEST(NumericsWater, AMonthLaterAndFarAwayRipplesStepAsEvenly) {
 TEST(NumericsWater, TheEyeMayMoveWithoutMovingTheRipples) {
     Water w;
     Wind wind;
-    const WaterGlobals here = waterGlobals(w, &wind, {0, 0, 0}, 7), there = waterGlobals(w, &wind, {13.5, 0, -4.25}, 7);
+    const WaterGlobals here = waterGlobals({&w}, &wind, {0, 0, 0}, 7),
+                       there = waterGlobals({&w}, &wind, {13.5, 0, -4.25}, 7);
     for (int i = 0; i < 50; ++i) {
         const glm::vec2 at(0.31f * static_cast<float>(i), 0.17f * static_cast<float>(i));
         EXPECT_NEAR(glm::distance(waterSlope(here, at, 1), waterSlope(there, at - glm::vec2(13.5f, -4.25f), 1)), 0,

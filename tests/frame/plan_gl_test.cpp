@@ -1,7 +1,11 @@
 // The order of the table of effects means nothing: plans and pictures stay as they are when it is shuffled.
 #include "frame/plan.h"
 
+#include <epoxy/gl.h>
+
 #include <random>
+
+#include "frame/draw_context.h"
 
 #include "project/project_files.h"
 #include "scenes.h"
@@ -67,6 +71,26 @@ TEST(PlanOrder, PicturesAreTheSameForShuffledTables) {
         std::shuffle(rows.begin(), rows.end(), random);
         EXPECT_TRUE(picture(shuffled, *p) == expected) << folder;
     }
+}
+
+// A picture of which the driver has refused a part may be black: whoever waits for it is told, the editor goes on.
+TEST(Refused, APictureThatOpenGLRefusesAPartOfIsAFailureButForWhoIsAtWork) {
+    const System refused[] = {{"test/refused", {}, [](DrawContext&) { glEnable(0xFFFF); }}};
+    std::vector<EffectRow> rows(tables().effects.begin(), tables().effects.end());
+    EffectRow row{};
+    row.name = "test/refused", row.systems = refused;
+    rows.push_back(row);
+    Tables broken = tables();
+    broken.effects = rows;
+    Project p = lawn();
+    Renderer renderer(gpu(), broken);
+    ViewSettings s;
+    s.width = 48, s.height = 36, s.msaa = 1;
+    const Status drawn = renderer.draw(p, eyeHeight(), s);
+    ASSERT_FALSE(drawn);
+    EXPECT_NE(drawn.error().text().find("OpenGL refused"), std::string::npos) << drawn.error().text();
+    s.background = true;
+    EXPECT_TRUE(renderer.draw(p, eyeHeight(), s));
 }
 
 }  // namespace

@@ -190,6 +190,145 @@ TEST(Water, ALampLightsItAndABoxShadesThatAsInTheTruth) {
     EXPECT_LT(at(picture, dark), 0.02f * at(picture, {18, 0.5, 15}));
 }
 
+std::vector<std::string> passesOf(Renderer& r, Project& p, const ViewCamera& c) {
+    EXPECT_TRUE(r.draw(p, c, settings()));
+    std::vector<std::string> names;
+    for (const PassStats& s : r.stats().passes) names.push_back(s.name);
+    return names;
+}
+bool holds(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// Two ponds on level ground, with a red cube beyond each.
+Project ponds(const TempDir& folder) {
+    Project p = lake(folder);
+    for (const char* name : {"lake", "cube"}) removeEntity(p, name);
+    const struct {
+        const char* name;
+        double x;
+        float level;
+    } both[] = {{"left", 9, 0.2f}, {"right", 21, 1.0f}};
+    for (const auto& pond : both) {
+        put<Transform>(p, pond.name).position = {pond.x, 0, 14};
+        *p.registry.add<Water>(findEntity(p, pond.name)) = {
+            .level = pond.level, .radius = 4, .clarity = 0.2f, .reflection = 1};
+        putObject(p, std::string(pond.name) + "-cube", {{.size = {3, 2, 1}, .color = {0.8f, 0.1f, 0.1f}}},
+                  {pond.x, 0, 9});
+    }
+    return p;
+}
+ViewCamera overPonds() { return {{15, 4, 27}, {15, 0.5, 12}, 50, 0}; }
+
+// Mean difference of blocks of 4 x 4 pixels, over the blocks' mean light, where the truth's ray meets a pond's place.
+double pondError(const Project& land, const std::vector<float>& a, const std::vector<float>& b, const ViewCamera& c) {
+    double off = 0, light = 0;
+    int blocks = 0;
+    for (int y = 0; y + 4 <= kHeight; y += 4)
+        for (int x = 0; x + 4 <= kWidth; x += 4) {
+            const auto at = pickGround(land, c, kWidth, kHeight, x + 2.0, y + 2.0);
+            if (!at || std::min(std::hypot(at->x - 9, at->z - 14), std::hypot(at->x - 21, at->z - 14)) > 3) continue;
+            double sum[2] = {};
+            for (int i = 0; i < 16 * 3; ++i) {
+                const size_t pixel = static_cast<size_t>(y + i / 12) * kWidth + static_cast<size_t>(x + i / 3 % 4);
+                sum[0] += double(a[3 * pixel + static_cast<size_t>(i % 3)]);
+                sum[1] += double(b[3 * pixel + static_cast<size_t>(i % 3)]);
+            }
+            off += std::abs(sum[0] - sum[1]), light += sum[1];
+            ++blocks;
+        }
+    EXPECT_GT(blocks, 20);
+    return off / light;
+}
+
+double rmsOff(const std::vector<float>& a, const std::vector<float>& b) {
+    double sum = 0;
+    for (size_t i = 0; i < a.size(); ++i) sum += double((a[i] - b[i]) * (a[i] - b[i]));
+    return std::sqrt(sum / static_cast<double>(a.size()));
+}
+
+TEST(Water, EachPondMirrorsAtItsOwnLevelAsTheTruthDoes) {
+    NoGlErrors errors;
+    const TempDir folder;
+    Project p = ponds(folder);
+    const ViewCamera c = overPonds();
+    const std::vector<float> truth = traced(p, c, 256).color;
+    const double ours = pondError(p, drawn(p, c), truth, c);
+    p.registry.get<Water>(findEntity(p, "right"))->level = 0.2f;
+    const double oneLevel = pondError(p, drawn(p, c), truth, c);
+    std::printf("ponds against the truth: %.4f; both of one level: %.4f\n", ours, oneLevel);
+    EXPECT_LT(ours, 0.06);
+    EXPECT_GT(oneLevel, 2 * ours);
+}
+
+TEST(Water, APondEndsWhereItsPlaceDoes) {
+    NoGlErrors errors;
+    const TempDir folder;
+    Project p = ponds(folder);
+    const ViewCamera c = overPonds();
+    const std::vector<float> wet = drawn(p, c);
+    for (const char* name : {"left", "right"}) removeEntity(p, name);
+    const std::vector<float> dry = drawn(p, c);
+    int same = 0, other = 0;
+    for (int x = 0; x < kWidth; ++x) {
+        const size_t i = 3 * (static_cast<size_t>(rowOf(c, {15, 0, 14})) * kWidth + static_cast<size_t>(x));
+        (std::equal(&wet[i], &wet[i] + 3, &dry[i]) ? same : other) += 1;
+    }
+    EXPECT_GT(other, kWidth / 3);
+    EXPECT_GT(same, kWidth / 4) << "between and beside them";
+    const size_t between = 3 * (static_cast<size_t>(rowOf(c, {15, 0, 14})) * kWidth + kWidth / 2);
+    EXPECT_EQ(wet[between], dry[between]);
+}
+
+// The mirror's bytes follow what of the picture its water takes, and an eye that moves makes none of it anew.
+TEST(Water, OnlyThatPartIsMirroredInWhichAPondIsSeen) {
+    NoGlErrors errors;
+    const TempDir folder;
+    Project p = ponds(folder);
+    removeEntity(p, "right");
+    ViewCamera c{{15, 4, 29}, {15, 2, 12}, 70, 0};
+    Water& pond = *p.registry.get<Water>(findEntity(p, "left"));
+    int64_t bytes[2] = {};
+    for (const bool everywhere : {false, true}) {
+        pond.radius = everywhere ? 0.0f : 1.5f;
+        Renderer r(gpu(), tables());
+        passesOf(r, p, c);
+        bytes[everywhere] = gpu().ledger.at("water/reflection");
+    }
+    EXPECT_LT(double(bytes[0]), 0.35 * double(bytes[1]));
+    pond.radius = 1.5f;
+    Renderer r(gpu(), tables());
+    passesOf(r, p, c);
+    passesOf(r, p, c);
+    CountGlCalls count;
+    for (int i = 0; i < 20; ++i) {
+        c.eye.x += 0.02, c.target.x += 0.02;
+        passesOf(r, p, c);
+    }
+    EXPECT_LE(glCalls.byName["glCreateTextures"], 3u) << "a step of the part's size, once";
+}
+
+// Frames that add up sample all of a mirror's pixel, which is larger than the picture's: edges in it are smooth.
+TEST(Water, CoarseMirrorsAddUpToSmoothEdges) {
+    NoGlErrors errors;
+    const TempDir folder;
+    Project p = ponds(folder);
+    const ViewCamera c = overPonds();
+    put<Antialias>(p, "antialias", {.antialias = Antialiasing::Temporal});
+    const auto settled = [&](float reflection) {
+        for (const char* name : {"left", "right"}) p.registry.get<Water>(findEntity(p, name))->reflection = reflection;
+        Renderer r(gpu(), tables());
+        EXPECT_TRUE(drawSettled(r, p, c, settings()));
+        return r.readLinear();
+    };
+    const std::vector<float> fine = settled(1), coarse = settled(0.25f);
+    p.registry.remove<Antialias>(findEntity(p, "antialias"));
+    const std::vector<float> once = drawn(p, c);  // four samples a pixel, the mirror's as well
+    const double added = rmsOff(coarse, fine), four = rmsOff(once, fine);
+    std::printf("coarse mirror off the fine one: %.5f where frames add up, %.5f of four samples\n", added, four);
+    EXPECT_LT(added, four);
+}
+
 TEST(Water, DeeperWaterShowsLessOfItsGround) {
     NoGlErrors errors;
     const TempDir folder;
@@ -206,16 +345,6 @@ TEST(Water, DeeperWaterShowsLessOfItsGround) {
         EXPECT_LT(middle, last) << level;
         last = middle;
     }
-}
-
-std::vector<std::string> passesOf(Renderer& r, Project& p, const ViewCamera& c) {
-    EXPECT_TRUE(r.draw(p, c, settings()));
-    std::vector<std::string> names;
-    for (const PassStats& s : r.stats().passes) names.push_back(s.name);
-    return names;
-}
-bool holds(const std::vector<std::string>& names, const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 TEST(Water, TheMirroredViewIsDrawnOnlyWhileWaterIsSeen) {

@@ -79,6 +79,22 @@ TEST(LayerMasks, DistanceToWaterCountsFromTheShore) {
     EXPECT_NEAR(m.at(mask, 19, 3), 7, 0.06f);
 }
 
+TEST(LayerMasks, DistanceToWaterIsThatToTheNearestOfAllPondsWithinTheirPlaces) {
+    Project p = rampLawn(45);
+    for (const auto& [name, x] : {std::pair("low", 6.0), std::pair("high", 15.0)}) {
+        put<Transform>(p, name).position = {x, 0, 10};
+        Water& pond = *p.registry.add<Water>(findEntity(p, name));
+        pond.level = 10, pond.radius = 2;
+    }
+    Measured m(std::move(p));
+    const MapMask mask = maskBy(MaskBy::Water, 0, 1);
+    EXPECT_EQ(m.at(mask, 6, 10), 0);
+    EXPECT_EQ(m.at(mask, 15, 11), 0);
+    EXPECT_NEAR(m.at(mask, 9, 10), 1, 0.06f);
+    EXPECT_NEAR(m.at(mask, 12, 10), 1, 0.06f);
+    EXPECT_NEAR(m.at(mask, 6, 16), 4, 0.06f);
+}
+
 TEST(LayerMasks, DistanceToWaterFollowsItsLevelAndTheGround) {
     Measured m(rampLawn(45));
     const MapMask mask = maskBy(MaskBy::Water, 0, 1);

@@ -5,6 +5,7 @@
 
 #include "app/object_actions.h"
 #include "model/field_walk.h"
+#include "model/hollow.h"
 #include "model/layer_edits.h"
 #include "scene/forest.h"
 #include "support.h"
@@ -93,12 +94,48 @@ TEST_F(AddMenu, APondBelowLayersOfHeightsSaysSo) {
     EXPECT_EQ(messages.status, "new: pond, dug below 1 layer");
 }
 
-TEST_F(AddMenu, ASecondPondHasTheLevelOfTheFirst) {
+// A plane that rises by two metres along x.
+void raiseAlongX(Document& doc) {
+    ASSERT_TRUE(doc.createMap("ground.Terrain.height"));
+    Map heights =
+        static_cast<const MapField*>(findField(doc.project(), doc.tables().components, "ground.Terrain.height")->value)
+            ->map;
+    for (int j = 0; j < heights.info().height; ++j)
+        for (int i = 0; i < heights.info().width; ++i)
+            heights.set(i, j, 0, 2 * (static_cast<float>(i) + 0.5f) / static_cast<float>(heights.info().width));
+    ASSERT_TRUE(doc.setMap("ground.Terrain.height", std::move(heights), "raise"));
+}
+
+TEST_F(AddMenu, EachPondHasALevelOfItsOwnBelowTheLowestOfItsRim) {
+    raiseAlongX(doc);
     addPond(doc, waiting, view, selection, messages);
-    view = {{10, 5, 20}, {10, 0, 10}, 55, 0};
+    view = {{32, 6, 20}, {32, 1.6, 10}, 55, 0};
     addPond(doc, waiting, view, selection, messages);
-    EXPECT_FALSE(doc.project().entities.contains("pond-2"));
-    EXPECT_LT(terrainHeight(get<Terrain>("ground"), 10, 10), get<Water>("pond").level - 0.8);
+    const Ground ground = findGround(doc.project());
+    for (const char* name : {"pond", "pond-2"}) {
+        const Water& water = get<Water>(name);
+        const glm::dvec3 at = get<Transform>(name).position;
+        EXPECT_NEAR(at.y, double(water.level), 1e-3) << name;
+        const double rim = lowestAlongRim(*ground.terrain, {at.x, at.z}, double(water.radius));
+        EXPECT_GT(rim, double(water.level)) << name << " runs over";
+        EXPECT_LT(rim, double(water.level) + 0.3) << name;
+        EXPECT_LT(terrainHeight(*ground.terrain, at.x, at.z), double(water.level) - 0.8) << name;
+    }
+    EXPECT_GT(get<Water>("pond-2").level, get<Water>("pond").level + 0.3f);
+}
+
+TEST_F(AddMenu, AHollowWhereWaterStandsCloseBelowLetsItIn) {
+    ASSERT_TRUE(doc.addEntity("lake"));
+    ASSERT_TRUE(doc.addComponent("lake", "Water"));
+    ASSERT_TRUE(doc.setField("lake.Water.level", "-1"));
+    addPond(doc, waiting, view, selection, messages);
+    EXPECT_FALSE(doc.project().entities.contains("pond"));
+    EXPECT_EQ(shownEntity(selection), "lake");
+    EXPECT_LT(terrainHeight(get<Terrain>("ground"), 20, 20), -1.8);
+    ASSERT_TRUE(doc.undo());
+    ASSERT_TRUE(doc.setField("lake.Water.level", "-30"));
+    addPond(doc, waiting, view, selection, messages);
+    EXPECT_TRUE(doc.project().entities.contains("pond")) << "not thirty metres deep";
 }
 
 TEST_F(AddMenu, APondInTheSkyIsRefused) {

@@ -38,6 +38,10 @@ TEST_F(Handles, EachKindHasItsPlace) {
     EXPECT_EQ(of("foot").at, glm::dvec3(5, 2, 6));
     add<Water>("lake").level = 1.5f;
     EXPECT_EQ(of("lake").at, glm::dvec3(20, 3.5, 20)) << "in the middle of level ground";
+    add<Transform>("pond", {{7, 1, 9}});
+    add<Water>("pond").radius = 3;
+    EXPECT_EQ(of("pond").kind, HandleKind::Pond);
+    EXPECT_EQ(of("pond").at, glm::dvec3(7, 2, 9)) << "in its middle, at its level over the ground's origin";
     EXPECT_EQ(of("ground").kind, HandleKind::Other);
     EXPECT_EQ(of("nobody").kind, HandleKind::None);
 }

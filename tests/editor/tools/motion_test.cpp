@@ -103,6 +103,14 @@ TEST_F(Motions, WaterRisesAndAForceTurnsItsHeading) {
     add("lake", "Water");
     set("lake.Water.level", "1.5");
     EXPECT_EQ(after("lake", move({3, 0.25, 3})), (std::map<std::string, std::string>{{"lake.Water.level", "1.75"}}));
+    add("pond", "Transform"), add("pond", "Water");
+    set("pond.Water.level", "1.5"), set("pond.Water.radius", "6"), set("pond.Transform.position", "[4, 1.5, 5]");
+    EXPECT_EQ(after("pond", move({3, 0.25, 2})),
+              (std::map<std::string, std::string>{{"pond.Water.level", "1.75"},
+                                                  {"pond.Transform.position", "[7, 1.75, 7]"}}));
+    Motion grow;
+    grow.pivot = {7, 1.75, 7}, grow.scale = 2;
+    EXPECT_EQ(after("pond", grow).at("pond.Water.radius"), "12");
     add("foot", "Transform"), add("foot", "ForceSource");
     set("foot.ForceSource.headingDeg", "10");
     EXPECT_EQ(after("foot", turnY(30, {0, 0, 0})).at("foot.ForceSource.headingDeg"), "-20")
