@@ -89,7 +89,7 @@ for _, pond in ipairs(ponds) do
     local level = lowestAround(pond) - 0.2
     map.polygon(height, { points = pond.shore, value = level + 0.3, soft = 18, opacity = 0.9 })
     map.polygon(height, { points = pond.shore, value = level - 0.9, soft = 5 })
-    pond.level = level + 0.1
+    pond.level = math.floor(100 * level + 10) / 100
 end
 map.blur(height, 0.8)
 map.noise(height, { scale = 3, octaves = 3, amount = 0.04, seed = 12 })
@@ -101,7 +101,7 @@ for i, pond in ipairs(ponds) do
         radius = math.max(radius, math.sqrt((p[1] - pond.centre[1]) ^ 2 + (p[2] - pond.centre[2]) ^ 2))
     end
     entity.add("pond-" .. i, { Transform = { position = { pond.centre[1], pond.level, pond.centre[2] } },
-                               Water = { level = pond.level, radius = radius + 2.5, clarity = 1.6 } })
+                               Water = { level = pond.level, radius = math.ceil(radius) + 2, clarity = 1.6 } })
 end
 
 -- Colours (sRGB) over the soil: gravel, and the mud of the ponds' banks and beds.

@@ -326,7 +326,7 @@ TEST(Water, CoarseMirrorsAddUpToSmoothEdges) {
     const std::vector<float> once = drawn(p, c);  // four samples a pixel, the mirror's as well
     const double added = rmsOff(coarse, fine), four = rmsOff(once, fine);
     std::printf("coarse mirror off the fine one: %.5f where frames add up, %.5f of four samples\n", added, four);
-    EXPECT_LT(added, four);
+    EXPECT_LT(added, 0.7 * four) << "0.84 where mirrors are not moved";
 }
 
 TEST(Water, DeeperWaterShowsLessOfItsGround) {
