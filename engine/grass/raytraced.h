@@ -7,6 +7,8 @@
 //   - the shear is of the ray, both ways, and not of each look-up: slices then stand, and the ray leans;
 //   - below the vertical slices lies the horizontal one (grass/far), for what they leave of a steep view;
 //   - what is beyond the last step is filled with the mean of the slices there, as opaque as they would be;
+//   - over bare ground rays look ahead to where something grows, and steps there do not count, so that grass beyond a
+//     path or a mown bed is seen across it;
 //   - an eye inside the shell has its rays begin at the eye (H-5).
 // Does not: bake (slice_bake.h), shade the ground (grass/far-shadow), know a ground that bends within a ray's way: it
 // is taken for level or sloping as it is where the ray comes in.

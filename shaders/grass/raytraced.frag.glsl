@@ -17,6 +17,8 @@
 #include "numerics/opacity.h"
 #include "numerics/stand.h"
 
+const int kLooksAhead = 24;
+
 in vec3 position;
 in vec2 place;
 layout(location = 0) out vec4 color;
@@ -70,13 +72,20 @@ vec3 paintedAt(vec3 reflectance, Met m, Shell shell, float pixel) {
     return paintedOver(reflectance, mapPlace(fromCells(m.at) + frame.eye.xz), pixel, -shell.seen);
 }
 
-// Whether nothing of the species grows as far as a ray may come through the shell.
-bool bareAhead(vec2 ground, vec3 way) {
-    if (!GRASS_DENSITY || field.species[slices.species].tiling < 0.0) return false;
-    float steep = max(-way.y, 1e-3),
-          reach = min(slices.top * length(way.xz) / steep, float(steps) * slices.cellSize / float(slices.slices));
-    float room = 2.0 * reach + 2.0 * slices.top;
-    return !(fieldDensityOver(mapPlace(ground + 0.5 * reach * way.xz), room) > 0.0);
+// How far along its way a ray goes through the shell before any of the species may grow below it (m); negative: none
+// does. It looks ahead by a quarter of the way that its steps would come, again and again.
+float bareWay(vec2 ground, vec3 way) {
+    if (!GRASS_DENSITY || field.species[slices.species].tiling < 0.0) return 0.0;
+    float level = max(length(way.xz), 1e-4), all = slices.top * level / max(-way.y, 1e-3), bare = 0.0;
+    float part = min(all, 0.25 * float(steps) * slices.cellSize / float(slices.slices));
+    for (int i = 0; i < kLooksAhead; ++i) {
+        vec2 middle = ground + (bare + 0.5 * part) / level * way.xz;
+        if (fieldDensityOver(mapPlace(middle), 2.0 * part + 2.0 * slices.top) > 0.0) return bare / level;
+        bare += part;
+        if (!(bare < all)) break;
+        part = min(part, all - bare);
+    }
+    return -1.0;
 }
 
 void main() {
@@ -87,8 +96,14 @@ void main() {
     vec2 ground = INSIDE ? frame.eye.xz : place, uv = mapPlace(ground);
     gl_SampleMask[0] = -1;
     gl_FragDepth = gl_FragCoord.z;
-    if (bareAhead(ground, way)) discard;
+    float bare = bareWay(ground, way);
+    if (bare < 0.0) discard;
     float above = INSIDE ? -groundHeight(ground) : slices.top;
+    if (bare > 0.0) {
+        start += way * bare, ground += way.xz * bare, uv = mapPlace(ground);
+        above = start.y - groundHeight(ground);
+        if (!(above > 0.0)) discard;
+    }
     vec3 foot = start - vec3(0.0, above, 0.0);
     float press;
     BladeStand stands = standHere(foot, toCells(foot.xz), uv, press);

@@ -154,11 +154,12 @@ Met metAt(SliceHit hit, Shell shell) {
     return m;
 }
 
-// What a slice there stores, and its opacity before shares of families.
-float opacityOf(Met m, Shell shell, float level, float pixel, out vec4 stored) {
+// What a slice there stores, and its opacity before shares of families; whether the place is bare.
+float opacityOf(Met m, Shell shell, float level, float pixel, out vec4 stored, out bool bare) {
     stored = vec4(0.0);
     float density = grownAt(m, shell, pixel);
-    if (!(density > 0.0)) return 0.0;
+    bare = !(density > 0.0);
+    if (bare) return 0.0;
     stored = textureLod(sliceThreshold, m.texel, level);
     if (WHOLE) return density * stored.y;  // what texelOpacity comes to at density 1
     return storedOpacity(stored, density, level, m.chance);
@@ -229,6 +230,7 @@ struct Walk {
     SliceRay ray;
     SliceHit hit;  // what it meets next
     int left;      // steps
+    int bare;      // more of them over bare ground, which cost little
     float through;
     float depth;  // as Sum has it
     float last;   // of the slices that were met, metres from the start
@@ -265,7 +267,8 @@ void meetRest(inout Walk walk, Shell shell, float pixel, uint grain) {
     s.met.t = hit.t;
     s.met.sides = sidesOf(shell, across, vec2((r & 1u) == 0u ? 1.0 : -1.0, (r & 2u) == 0u ? 1.0 : -1.0));
     vec4 stored;
-    float alpha = opacityOf(s.met, shell, kCoarse, pixel, stored);
+    bool bare;
+    float alpha = opacityOf(s.met, shell, kCoarse, pixel, stored, bare);
     if (!(alpha > 0.0)) return;
     s.above = stored.zw;
     float slicesPerMetre = dot(speed, shell.turned), shown = 1.0 + left * slicesPerMetre;
@@ -289,14 +292,19 @@ void step(inout Walk walk, Shell shell, vec2 levels, float pixel) {
     vec4 stored = vec4(0.0);
     Sent s;
     s.met = metAt(walk.hit, shell);
-    if (on && s.met.t >= 0.0) alpha = opacityOf(s.met, shell, level, pixel, stored) * turned;
+    bool bare = false;
+    if (on && s.met.t >= 0.0) alpha = opacityOf(s.met, shell, level, pixel, stored, bare) * turned;
     s.above = stored.zw, s.fine = max(level - 1.0, 0.0);
     meet(walk, s, alpha, s.met.t);
     if (alpha > 0.004) walk.last = s.met.t;
     if (!on) return;
     walk.ray = sliceAfter(walk.ray, walk.hit);
     walk.hit = waveHit(walk.ray);
-    if (s.met.t >= 0.0) --walk.left;
+    if (!(s.met.t >= 0.0)) return;
+    if (bare && walk.bare > 0)
+        --walk.bare;
+    else
+        --walk.left;
 }
 
 Sum traced(Shell shell, SliceRay ray, uint grain) {
@@ -306,7 +314,7 @@ Sum traced(Shell shell, SliceRay ray, uint grain) {
     levels = floor(levels + hashUnit(grain));  // one of two: twice the look-ups would blend them
     Walk walk;
     walk.ray = fromBefore(ray), walk.hit = waveHit(walk.ray);
-    walk.left = stepsAt(pixel);
+    walk.left = stepsAt(pixel), walk.bare = walk.left;
     walk.through = 1.0, walk.depth = -1.0, walk.last = 0.0;
     walk.most.share = 0.0, walk.next.share = 0.0;
     // Two steps a round, and the test at the end: rasterisers in software keep what a round hands on in memory, and

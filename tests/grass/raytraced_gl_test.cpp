@@ -237,6 +237,26 @@ TEST(Raytraced, AnEyeInTheGrassSeesGrass) {
 }
 
 // A red post half sunk in the grass: what stands before it hides it, what stands behind does not.
+// Rays that come in over bare ground go on to the grass beyond it, though it lies farther than their steps reach.
+TEST(Raytraced, GrassBeyondBareGroundIsSeenAcrossIt) {
+    NoGlErrors errors;
+    const auto picture = [](Technique technique) {
+        Project p = meadow(technique);
+        FlatField f = flatField(p);
+        f.species[0].height = 0.4f;
+        f.drawing.bakeLight = BakeLight::Local;  // coverage alone counts
+        Map density({80, 80, 1, PixelType::U8});
+        for (int y = 0; y < 80; ++y)
+            for (int x = 0; x < 80; ++x) density.set(x, y, 0, y < 20 ? 0.0f : 1.0f);  // from 5 m on
+        f.species[0].density = field(std::move(density), "maps/density.png");
+        return raytracedPicture(p, {{10, 0.6, 1}, {10, 0.3, 6}, 45, 0});
+    };
+    const double blades = covered(picture(Technique::Geometry)), rays = covered(picture(Technique::Raytraced));
+    std::printf("covered beyond 4 m of bare ground: blades %.3f rays %.3f\n", blades, rays);
+    EXPECT_GT(blades, 0.05);
+    EXPECT_NEAR(rays, blades, 0.1 * blades);
+}
+
 TEST(Raytraced, HidesWhatStandsBehindIt) {
     NoGlErrors errors;
     const TempDir folder;
