@@ -39,14 +39,28 @@ Command compiled(const fs::path& folder, const std::vector<fs::path>& files) {
     return runCommand("cd " + folder.string() + " && glslangValidator" + names);
 }
 
+// The lines "const TYPE NAME = VALUE;" of those that a shader, with what it includes, names: the others would make the
+// same shader over and over.
+std::string namedOf(Programs& programs, const char* path, const std::string& constants) {
+    std::string named;
+    std::istringstream lines(constants);
+    for (std::string line; std::getline(lines, line);) {
+        const size_t end = line.find(" ="), begin = line.rfind(' ', end - 1) + 1;
+        if (end == std::string::npos || programs.named({.name = path, .vertex = path}, line.substr(begin, end - begin)))
+            named += line + "\n";
+    }
+    return named;
+}
+
 // Texts of all stages of all programs, each once, as files that end with the stage's name.
 struct Texts {
     const fs::path folder;
+    Programs programs = Programs();
     std::set<std::string> known = {};
     std::vector<fs::path> files = {};
     void add(const char* path, const char* stage, const std::string& constants) {
         if (!path) return;
-        const auto text = loadShaderText(shaderFolder(), path, constants);
+        const auto text = loadShaderText(shaderFolder(), path, namedOf(programs, path, constants));
         ASSERT_TRUE(text) << text.error().text();
         if (!known.insert(stage + text->text).second) return;
         std::string name = path;

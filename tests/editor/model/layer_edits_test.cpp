@@ -16,10 +16,10 @@ namespace {
 using test::TempDir;
 constexpr const char* kLawnDensity = "lawn.GrassField.species[lawn].density";
 
-struct Fixture {
+struct LayeredField {
     TempDir dir;
     Document doc{tables()};
-    Fixture() { EXPECT_TRUE(doc.create(dir / "p")); }
+    LayeredField() { EXPECT_TRUE(doc.create(dir / "p")); }
     std::vector<std::string> names() {
         std::vector<std::string> out;
         for (const LayerOf& l : layersOver(doc.project(), kLawnDensity)) out.push_back(l.layer->name);
@@ -31,7 +31,7 @@ struct Fixture {
 using Names = std::vector<std::string>;
 
 TEST(LayerEdits, AddEachKindInOneStepWithoutChangingWhatIsPainted) {
-    Fixture f;
+    LayeredField f;
     const Map before =
         static_cast<const MapField*>(findMap(f.doc.project(), tables().components, kLawnDensity)->value)->map;
     for (const LayerKind kind : {LayerKind::Rule, LayerKind::Image, LayerKind::Painted})
@@ -54,7 +54,7 @@ TEST(LayerEdits, AddEachKindInOneStepWithoutChangingWhatIsPainted) {
 }
 
 TEST(LayerEdits, MoveAmongTheLayersOfTheirMap) {
-    Fixture f;
+    LayeredField f;
     ASSERT_TRUE(addLayer(f.doc, kLawnDensity, LayerKind::Rule));
     ASSERT_TRUE(addLayer(f.doc, "lawn.GrassField.bladeHeight", LayerKind::Rule));
     ASSERT_TRUE(addLayer(f.doc, kLawnDensity, LayerKind::Image));
@@ -74,7 +74,7 @@ TEST(LayerEdits, MoveAmongTheLayersOfTheirMap) {
 }
 
 TEST(LayerEdits, TheLastOneTakesTheComponentWithIt) {
-    Fixture f;
+    LayeredField f;
     ASSERT_TRUE(addLayer(f.doc, kLawnDensity, LayerKind::Painted));
     ASSERT_TRUE(addLayer(f.doc, kLawnDensity, LayerKind::Rule));
     ASSERT_TRUE(removeLayer(f.doc, "lawn.MapLayers.layers[painted]"));
@@ -88,7 +88,7 @@ TEST(LayerEdits, TheLastOneTakesTheComponentWithIt) {
 }
 
 TEST(LayerEdits, AStrokeOnALayerLeavesTheMapBelowAlone) {
-    Fixture f;
+    LayeredField f;
     ASSERT_TRUE(addLayer(f.doc, kLawnDensity, LayerKind::Painted));
     const std::string amounts = "lawn.MapLayers.layers[painted].amounts";
     EXPECT_EQ(stackedMap(f.doc.project(), amounts), kLawnDensity);
@@ -113,7 +113,7 @@ TEST(LayerEdits, AStrokeOnALayerLeavesTheMapBelowAlone) {
 }
 
 TEST(LayerEdits, ImportAnImageInOneStepAndRememberHow) {
-    Fixture f;
+    LayeredField f;
     ASSERT_TRUE(addLayer(f.doc, kLawnDensity, LayerKind::Image));
     Map map({4, 4, 1, PixelType::U8});
     map.set(0, 0, 0, 1);
@@ -128,7 +128,7 @@ TEST(LayerEdits, ImportAnImageInOneStepAndRememberHow) {
 }
 
 TEST(LayerEdits, LayersFollowTheirSpeciesWhenItIsRenamed) {
-    Fixture f;
+    LayeredField f;
     ASSERT_TRUE(addLayer(f.doc, kLawnDensity, LayerKind::Rule));
     ASSERT_TRUE(f.doc.setField("lawn.GrassField.species[lawn].name", "clover"));
     EXPECT_EQ(layersOver(f.doc.project(), "lawn.GrassField.species[clover].density").size(), 1u);
@@ -138,7 +138,7 @@ TEST(LayerEdits, LayersFollowTheirSpeciesWhenItIsRenamed) {
 }
 
 TEST(LayerEdits, WhatALayerLiesOverMayGoAndComeBack) {
-    Fixture f;
+    LayeredField f;
     ASSERT_TRUE(f.doc.addListElement("lawn.GrassField.species"));
     const std::string added =
         elementSelectors(*findField(f.doc.project(), tables().components, "lawn.GrassField.species")->row->list,
@@ -159,7 +159,7 @@ TEST(LayerEdits, WhatALayerLiesOverMayGoAndComeBack) {
 constexpr const char* kHeights = "ground.Terrain.height";
 
 TEST(LayerEdits, OverHeightsBeginGently) {
-    Fixture f;
+    LayeredField f;
     for (const LayerKind kind : {LayerKind::Rule, LayerKind::Painted}) ASSERT_TRUE(addLayer(f.doc, kHeights, kind));
     EXPECT_EQ(kindUnder(f.doc, kHeights), MapKind::Heights);
     EXPECT_EQ(kindUnder(f.doc, "ground.MapLayers.layers[painted].amounts"), MapKind::Heights);
@@ -182,7 +182,7 @@ TEST(LayerEdits, OverHeightsBeginGently) {
 }
 
 TEST(LayerEdits, WhoSculptsIsToldHowManyLayersLieAbove) {
-    Fixture f;
+    LayeredField f;
     EXPECT_EQ(sculptsBelow(f.doc, kHeights), "");
     for (const LayerKind kind : {LayerKind::Rule, LayerKind::Painted}) ASSERT_TRUE(addLayer(f.doc, kHeights, kind));
     EXPECT_EQ(sculptsBelow(f.doc, kHeights), "below 2 layers");
@@ -194,7 +194,7 @@ TEST(LayerEdits, WhoSculptsIsToldHowManyLayersLieAbove) {
 }
 
 TEST(LayerEdits, OverColoursBeginOnWhatIsSteep) {
-    Fixture f;
+    LayeredField f;
     const std::string colours = "ground.Terrain.terrainMap";
     for (const LayerKind kind : {LayerKind::Rule, LayerKind::Painted}) ASSERT_TRUE(addLayer(f.doc, colours, kind));
     EXPECT_EQ(kindUnder(f.doc, colours), MapKind::Colours);
@@ -210,7 +210,7 @@ TEST(LayerEdits, OverColoursBeginOnWhatIsSteep) {
 }
 
 TEST(LayerEdits, APathsLayerTakesTheFirstPath) {
-    Fixture f;
+    LayeredField f;
     ASSERT_TRUE(f.doc.addEntity("way"));
     ASSERT_TRUE(f.doc.addComponent("way", "GroundPath"));
     ASSERT_TRUE(addLayer(f.doc, kHeights, LayerKind::Path));
@@ -222,7 +222,7 @@ TEST(LayerEdits, APathsLayerTakesTheFirstPath) {
 }
 
 TEST(LayerEdits, APictureOfMetresKeepsThem) {
-    Fixture f;
+    LayeredField f;
     Map metres({64, 64, 1, PixelType::F32});
     for (int x = 0; x < 64; ++x)
         for (int y = 0; y < 64; ++y) metres.set(x, y, 0, 3 + static_cast<float>(x) / 63 * 5);
