@@ -428,7 +428,8 @@ TEST(Texcells, EnormousTreesAreDrawn) {
 
 TEST(Texcells, WhatFindsNoRoomInATileIsSaid) {
     NoGlErrors errors;
-    Project p = wood(TreeKind::Conifer, 0, 6000);
+    Project p =
+        wood(TreeKind::Conifer, std::numeric_limits<float>::infinity(), 6000);  // told before any volume is made
     forestIn(p).distance = 8;
     EXPECT_NE(saidOf(p, kAir).find("trees find room"), std::string::npos);
 }
