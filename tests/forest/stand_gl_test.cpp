@@ -27,12 +27,10 @@ TEST(ForestStandGl, OfAFileThatCannotBeReadTheOtherTreesStand) {
     const TempDir dir;
     Project p = wood();
     p.dir = dir.path;
-    Forest& trees = *p.registry.get<Forest>(findEntity(p, "trees"));
-    trees.meshesTo = std::numeric_limits<float>::infinity();  // volumes are made from the same meshes
-    trees.species.push_back({.name = "lost", .file = "none.glb", .share = 1});
+    p.registry.get<Forest>(findEntity(p, "trees"))->species.push_back({.name = "lost", .file = "none.glb", .share = 1});
     ASSERT_TRUE(renderer.draw(p, {{30, 3, -10}, {30, 4, 30}, 55, 0}, small()));
     const std::vector<uint8_t> with = renderer.readImage();
-    trees.perHectare = 0;
+    p.registry.get<Forest>(findEntity(p, "trees"))->perHectare = 0;
     ASSERT_TRUE(renderer.draw(p, {{30, 3, -10}, {30, 4, 30}, 55, 0}, small()));
     EXPECT_NE(with, renderer.readImage());
 }

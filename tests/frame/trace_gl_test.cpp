@@ -103,9 +103,9 @@ TEST(Trace, RemovingEachComponentLeavesTheSceneThatNeverHadIt) {
     expectNoTraces(removals);
 }
 
-// All components of the table, dealt out into two handfuls, and each handful gone at once: sooner than one by one.
+// All components of the table, dealt out into a few handfuls, and each handful gone at once: sooner than one by one.
 TEST(Trace, RemovingHandfulsOfComponentsLeavesTheSceneThatNeverHadThem) {
-    constexpr size_t kHandfuls = 2;
+    constexpr size_t kHandfuls = 3;
     const std::vector<const ComponentRow*> rows = rowsOf(everything());
     std::vector<Removal> removals;
     for (size_t hand = 0; hand < kHandfuls; ++hand)
