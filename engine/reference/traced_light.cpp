@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstring>
+#include <mutex>
 
 #include "core/cache_file.h"
 #include "core/hash.h"
@@ -20,13 +21,14 @@
 namespace sward {
 namespace {
 
-constexpr uint32_t kVersion = 15;  // of the method: another one gives other factors
-constexpr int kRays = 2000;        // that meet a blade, a view
+constexpr uint32_t kVersion = 16;  // of the method: another one gives other factors
+constexpr int kRays = 3000;        // that meet a blade, a view
 constexpr int kParts = 16;         // of a view's rays, each with its own sums, so that any number of threads adds alike
 constexpr int kMostBounces = 12;
 constexpr int kSkyPaths = 8;  // from each blade that is seen
 constexpr size_t kOften = 5;  // behind the first meeting light comes from one of so many directions, by chance
-constexpr double kSide = 1000, kOff = 2e-5;  // metres: of the lawn; by which a path starts off a blade
+constexpr double kSide = 1000, kSpread = 10, kOff = 2e-5;  // metres: of the lawn; of the part of it that rays are sent
+                                                           // to; by which a path starts off a blade
 struct Dice {
     uint32_t seed, next = 0;
     float unit() { return f32::hashUnit(f32::hash2(seed, next++)); }
@@ -81,6 +83,34 @@ struct Tracer {
     const Lawn& lawn;
     const GrassRays& rays;
     GrassMemory memory{};
+};
+// Tracers of one lawn, as many as threads ask at a time: what one has learned of the lawn's cells serves the next part.
+class Tracers {
+  public:
+    Tracers(const Lawn& lawn, const GrassRays& rays) : lawn_(lawn), rays_(rays) {}
+    // Calls work(tracer, part) for each of kParts, on all workers.
+    template <class F>
+    void eachPart(const F& work) {
+        parallelFor(kParts, [&](size_t part) {
+            std::unique_ptr<Tracer> tracer = take();
+            work(*tracer, part);
+            const std::lock_guard lock(mutex_);
+            idle_.push_back(std::move(tracer));
+        });
+    }
+
+  private:
+    std::unique_ptr<Tracer> take() {
+        const std::lock_guard lock(mutex_);
+        if (idle_.empty()) return std::unique_ptr<Tracer>(new Tracer{lawn_, rays_});
+        std::unique_ptr<Tracer> tracer = std::move(idle_.back());
+        idle_.pop_back();
+        return tracer;
+    }
+    const Lawn& lawn_;
+    const GrassRays& rays_;
+    std::mutex mutex_;
+    std::vector<std::unique_ptr<Tracer>> idle_;
 };
 
 Ray from(const Surface& s, const glm::vec3& way, Dice& dice) {
@@ -220,10 +250,21 @@ void addSky(Tracer& t, const Surface& seen, const glm::vec3& toSeen, Dice& dice,
     }
 }
 
-// A ray of a view of this azimuth over the lawn; none: it met no blade.
-std::optional<Surface> lookDown(Tracer& t, const glm::vec3& toEye, Dice& dice) {
+// The n-th of a sequence of points that fill the unit cube evenly however many of them are taken, as chance does not
+// (additive recurrence by the powers of the root of x^4 = x + 1: Roberts 2018). seed: shifts all of it.
+glm::dvec3 evenly(uint32_t seed, uint32_t n) {
+    const auto first = [&](uint32_t axis) { return double(f32::hashUnit(f32::hash2(seed, axis))); };
+    const glm::dvec3 step(0.8191725133961645, 0.6710436067037893, 0.5497004779019703);
+    return glm::fract(glm::dvec3(first(0), first(1), first(2)) + double(n) * step);
+}
+// The ray of this number, of all parts of a view together.
+uint32_t rayNumber(int part, int n) { return static_cast<uint32_t>(n * kParts + part); }
+
+// A ray towards the eye's place over the lawn; none: it met no blade. share: of the part of the lawn that rays are sent
+// to.
+std::optional<Surface> lookDown(Tracer& t, const glm::vec3& toEye, const glm::dvec2& share, Dice& dice) {
     const double height = static_cast<double>(t.lawn.height);
-    const glm::dvec3 top(0.5 * kSide + 20 * double(dice.unit()), height, 0.5 * kSide + 20 * double(dice.unit()));
+    const glm::dvec3 top(0.5 * kSide + kSpread * share.x, height, 0.5 * kSide + kSpread * share.y);
     return t.rays.closest({top, -glm::dvec3(toEye), 0, height / double(toEye.y), dice.grain()}, t.memory);
 }
 
@@ -234,9 +275,10 @@ TracedTable::Leaning traceLeaning(Tracer& t, int view, int part, int rays, const
     for (int n = 0; n < 8 * rays && sums.met < rays && !control.cancelled(); ++n) {
         Dice dice{
             f32::hash3(0x1ea0u + static_cast<uint32_t>(view), static_cast<uint32_t>(part), static_cast<uint32_t>(n))};
-        const float azimuth = f32::kTau * dice.unit();
+        const glm::dvec3 drawn = evenly(static_cast<uint32_t>(view), rayNumber(part, n));
+        const float azimuth = f32::kTau * float(drawn.z);
         const glm::vec3 toEye = raised(azimuth, kViewSines[view]);
-        const std::optional<Surface> s = lookDown(t, toEye, dice);
+        const std::optional<Surface> s = lookDown(t, toEye, drawn, dice);
         if (!s) continue;
         ++sums.met;
         const double lean = -static_cast<double>(azimuth);
@@ -258,9 +300,10 @@ ViewSums traceView(Tracer& t, int view, int part, int rays, const JobControl& co
     ViewSums sums;
     for (int n = 0; n < 8 * rays && sums.met < rays && !control.cancelled(); ++n) {
         Dice dice{f32::hash3(static_cast<uint32_t>(view), static_cast<uint32_t>(part), static_cast<uint32_t>(n))};
-        const float azimuth = f32::kTau * dice.unit();
+        const glm::dvec3 drawn = evenly(static_cast<uint32_t>(view), rayNumber(part, n));
+        const float azimuth = f32::kTau * float(drawn.z);
         const glm::vec3 toEye = raised(azimuth, kViewSines[view]);
-        const std::optional<Surface> s = lookDown(t, toEye, dice);
+        const std::optional<Surface> s = lookDown(t, toEye, drawn, dice);
         if (!s) continue;
         ++sums.met;
         const Lights lights = lightsAbout(azimuth);
@@ -283,7 +326,8 @@ SoilSums traceSoil(Tracer& t, int part, int rays, const JobControl& control) {
     sums.rays = rays;
     for (int n = 0; n < rays && !control.cancelled(); ++n) {
         Dice dice{f32::hash3(0x5011u, static_cast<uint32_t>(part), static_cast<uint32_t>(n))};
-        const glm::dvec3 at(0.5 * kSide + 20 * double(dice.unit()), 1e-4, 0.5 * kSide + 20 * double(dice.unit()));
+        const glm::dvec3 drawn = evenly(0x5011u, rayNumber(part, n));
+        const glm::dvec3 at(0.5 * kSide + kSpread * drawn.x, 1e-4, 0.5 * kSide + kSpread * drawn.y);
         const glm::vec3 way = drawnAround({0, 1, 0}, dice);
         const std::optional<Surface> s =
             t.rays.closest({at, glm::dvec3(way), 0, std::numeric_limits<double>::infinity(), dice.grain()}, t.memory);
@@ -407,8 +451,8 @@ Result<void> traceLeans(const TracedSpec& spec, int rays, JobControl& control, T
     const Result<GrassRays> grass = GrassRays::make(lawn->project, 0, control);
     if (!grass) return grass.error();
     std::array<std::array<TracedTable::Leaning, kTracedViews>, kParts> sums;
-    parallelFor(kParts, [&](size_t part) {
-        Tracer t{*lawn, *grass};
+    Tracers tracers(*lawn, *grass);
+    tracers.eachPart([&](Tracer& t, size_t part) {
         for (int view = 0; view < kTracedViews; ++view)
             sums[part][static_cast<size_t>(view)] =
                 traceLeaning(t, view, static_cast<int>(part), std::max(rays / kParts, 1), control);
@@ -434,8 +478,8 @@ Result<TracedTable> traceTable(const TracedSpec& spec, int rays, JobControl& con
     const Result<GrassRays> grass = GrassRays::make(lawn->project, 0, control);
     if (!grass) return grass.error();
     std::array<SoilSums, kParts> soil;
-    parallelFor(kParts, [&](size_t part) {
-        Tracer t{*lawn, *grass};
+    Tracers tracers(*lawn, *grass);
+    tracers.eachPart([&](Tracer& t, size_t part) {
         soil[part] = traceSoil(t, static_cast<int>(part), std::max(rays / kParts, 1), control);
     });
     TracedTable table;
@@ -444,8 +488,7 @@ Result<TracedTable> traceTable(const TracedSpec& spec, int rays, JobControl& con
     lawn->soilOpen = static_cast<float>(table.soilSky);
     std::array<ViewSums, kParts * kTracedViews> sums;
     std::atomic<int> done = 0;
-    parallelFor(kParts, [&](size_t part) {
-        Tracer t{*lawn, *grass};
+    tracers.eachPart([&](Tracer& t, size_t part) {
         for (int view = 0; view < kTracedViews; ++view) {
             sums[part * kTracedViews + static_cast<size_t>(view)] =
                 traceView(t, view, static_cast<int>(part), std::max(rays / kParts, 1), control);

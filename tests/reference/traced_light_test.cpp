@@ -52,11 +52,15 @@ TEST(TracedLightOf, BlackBladesSendNoLightToEachOtherAndBrightOnesDo) {
     for (size_t i = 0; i < bright.soilScattered.size(); ++i)
         EXPECT_GT(bright.soilScattered[i], 4 * dark.soilScattered[i]) << i;
     const auto ofBright = fitTraced(bright).parts.fill, ofDark = fitTraced(dark).parts.fill;
+    double high = 0, low = 0;
     for (size_t i = 0; i < TRACED_LIGHTS; ++i) {
         const size_t soil = TRACED_HEIGHTS * i, middle = soil + 1;
         EXPECT_GT(ofBright[middle].y, 4 * ofDark[middle].y) << i;
-        EXPECT_GT(ofBright[middle].y, ofBright[soil].y) << "light comes from above, " << i;
+        // Of steeper light the soil gets nearly as much (at 10,000 rays 0.97 to 0.99), less than these rays scatter by.
+        if (kLightSines[i] < 0.6f) EXPECT_GT(ofBright[middle].y, ofBright[soil].y) << "light comes from above, " << i;
+        high += double(ofBright[middle].y), low += double(ofBright[soil].y);
     }
+    EXPECT_GT(high, 1.03 * low) << "light comes from above";
 }
 
 // All of a lawn's direct light, over all views and lights.
