@@ -129,8 +129,7 @@ std::vector<float> leastShading(const Patch& patch) {
 void addStrip(std::vector<uint32_t>& indices, uint32_t blade, int quads, int segments, bool pointed) {
     const uint32_t base = blade * 2 * static_cast<uint32_t>(segments + 1);
     for (int s = 0; s < quads; ++s) {
-        const uint32_t a = base + 2 * static_cast<uint32_t>(s * segments / quads),
-                       c = base + 2 * static_cast<uint32_t>((s + 1) * segments / quads);
+        const uint32_t a = base + 2 * static_cast<uint32_t>(s), c = a + 2;
         indices.insert(indices.end(), {a, a + 1, c});
         if (!pointed || s + 1 < quads) indices.insert(indices.end(), {c, a + 1, c + 1});
     }

@@ -34,7 +34,7 @@ struct BladeList {
 };
 inline constexpr size_t kMostListed =
     size_t{1} << 28;  // indices; 1 GB: what drivers give in one piece. More are drawn by ranges of the patch
-// Adds the indices of a strip of n quads over some of the blade's rows of vertices; pointed: the last is a triangle.
+// Adds the indices of a strip of n quads over the first rows of the blade's vertices; pointed: the last is a triangle.
 void addStrip(std::vector<uint32_t>& indices, uint32_t blade, int quads, int segments, bool pointed = false);
 BladeList listBlades(const BladeListQuery& q, std::span<const CellDraw> cells);
 

@@ -12,6 +12,7 @@
 #include "scene/population.h"
 #include "scene/technique.h"
 #include "scene/unique.h"
+#include "shared/grass.h"
 
 namespace sward {
 
@@ -44,7 +45,7 @@ DrawCommand drawCommand(const CellDraw& c, int quads, uint32_t strips, float det
                         uint32_t verticesABlade = 0);
 
 // Quads of a shadow on the ground, at most; one would lose a quarter of its area.
-inline constexpr int kShadowQuads = 2;
+inline constexpr int kShadowQuads = SHADOW_QUADS;
 // The farthest that a blade's middle is from its chord, metres: |tip - 2 control| / 4.
 float bladeSagitta(const Patch& patch);
 // How far a species' blades rise above and reach beyond their cell, metres.

@@ -44,8 +44,8 @@ struct GeometryView : EffectState {
     PerSpecies<Selection> species;
 };
 
-// For each n up to `segments`, all blades' strips of n quads in threshold order, over the same 2 (segments + 1)
-// vertices a blade: coarse strips skip rows, and rows that no strip uses cost nothing.
+// For each n up to `segments`, all blades' strips of n quads in threshold order, over the first of the same
+// 2 (segments + 1) vertices a blade, which the shader spreads evenly (lib/strip.glsl).
 std::vector<uint32_t> stripIndices(size_t blades, int segments) {
     std::vector<uint32_t> out;
     out.reserve(blades * firstStrip(segments + 1));
@@ -126,12 +126,7 @@ void selectHere(DrawContext& ctx, Selection& s, const CellQuery& query, Transpar
     std::vector<CellInstance> instances;
     instances.reserve(s.selected.size());
     for (const CellDraw& c : s.selected)
-        instances.push_back({{c.cellX, c.cellZ},
-                             {c.x, c.z},
-                             c.mirror,
-                             c.shift,
-                             f32::middleLacked(std::max(c.segments, 1), query.segments),
-                             0});
+        instances.push_back({{c.cellX, c.cellZ}, {c.x, c.z}, c.mirror, c.shift, std::max(c.segments, 1), 0});
     writeBuffer(ctx.gpu, s.cells, kOwner, instances.size() * sizeof(CellInstance), instances.data());
     if (ctx.gpu.software)
         commandLists(ctx, s, query, way);
@@ -184,7 +179,7 @@ void cullSpecies(DrawContext& ctx, Field& field, size_t i, Selection& s) {
     describeCells(s.vertices.id(), s.cells.id(), sizeof(CellInstance), s.mesh->indices.id());
     glEnableVertexArrayAttrib(s.vertices.id(), 4);
     glVertexArrayAttribBinding(s.vertices.id(), 4, 0);
-    glVertexArrayAttribFormat(s.vertices.id(), 4, 1, GL_FLOAT, GL_FALSE, offsetof(CellInstance, middleLacked));
+    glVertexArrayAttribIFormat(s.vertices.id(), 4, 1, GL_INT, offsetof(CellInstance, quads));
     publish(ctx, s, own);
     s.shadowShare = shades ? ctx.settings.detail * own.draws.shading : 0;
 }
@@ -209,7 +204,6 @@ void commandCells(const DrawContext& ctx, const Selection& s) {
     glUniform1f(2, std::clamp(ctx.settings.detail, kLeastDetail, 1.0f));
     glUniform1f(3, std::clamp(s.shadowShare, kLeastDetail, 1.0f));
     glUniform1ui(4, s.shadowShare > 0 ? static_cast<GLuint>(std::min(s.mesh->segments, kShadowQuads)) : 0u);
-    glUniform1i(5, s.mesh->segments);
     glDispatchCompute((s.chosen.count + 63) / 64, 1, 1);
 }
 

@@ -22,7 +22,7 @@ namespace sward {
 namespace {
 
 constexpr uint32_t kVersion = 16;  // of the method: another one gives other factors
-constexpr int kRays = 3000;        // that meet a blade, a view
+constexpr int kRays = 4000;        // that meet a blade, a view
 constexpr int kParts = 16;         // of a view's rays, each with its own sums, so that any number of threads adds alike
 constexpr int kMostBounces = 12;
 constexpr int kSkyPaths = 8;  // from each blade that is seen

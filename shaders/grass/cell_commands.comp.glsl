@@ -18,7 +18,6 @@ layout(location = 1) uniform uint patchBlades;
 layout(location = 2) uniform float drawnShare;  // of a cell's blades
 layout(location = 3) uniform float shadeShare;  // of them, those that shade
 layout(location = 4) uniform uint shadowQuads;  // of a blade; 0: none shades
-layout(location = 5) uniform int bladeSegments;
 
 void command(uint at, uint i, ChosenCell c, uint quads, float share) {
     precise float drawn = float(bladesOf(c)) * share;
@@ -38,9 +37,8 @@ void main() {
     if (i >= chosenCount) return;
     ChosenCell c = chosen[i];
     CellVersion v = cellVersion(c.cell.x, c.cell.y, cull.seed);
-    int quads = max(int(levelOfCell(c)), 1);
     cells[i] = CellInstance(c.cell, cellCorner(cullGrid(), c.cell.x, c.cell.y), v.mirror, v.shift,
-                            middleLacked(quads, bladeSegments), 0.0);
+                            max(int(levelOfCell(c)), 1), 0.0);
     bool any = bladesOf(c) > 0u;
     if (any && isSet(c, CHOSEN_SEEN))
         command(i, i, c, levelOfCell(c), drawnShare);

@@ -21,7 +21,7 @@ out vec3 moved;           // metres since the frame before
 
 void main() {
     Blade b = bladeHere();
-    Stand s = standHere(b);
+    Stand s = standHere(b, quads);
     lit = vec4(0.0);
     sunned = vec4(0.0);
     turned = vec3(0.0);
@@ -35,19 +35,20 @@ void main() {
 
     float lighter;
     BladePose pose = poseHere(b, s, lighter);
+    float lacked = middleLacked(quads);
     BladeFrame f = bladeFrameFacing(pose.control, pose.tip, pose.facing, s.v);
     vec3 fromRoot = f.position + f.side * (s.across * b.width * frame.widening);
     vec3 position = s.root + fromRoot;
     vec3 n = dot(f.normal, position) > 0.0 ? -f.normal : f.normal;  // the side that faces the eye
     BladeLight light = lightBlade(
-        Lit(bladeColor(b.hue, b.lightness * lighter, s.v, s.cell.middleLacked, s.uv), f.normal, n,
-            unitOr(-position, 1e-6, n), position, fromRoot, pose.facing, pose.upright,
-            groundSlope(s.ground, s.root.y, species.maskReach), mix(species.rootOpen, 1.0, s.v), s.density, 1.0, 1.0),
+        Lit(bladeColor(b.hue, b.lightness * lighter, s.v, lacked, s.uv), f.normal, n, unitOr(-position, 1e-6, n),
+            position, fromRoot, pose.facing, pose.upright, groundSlope(s.ground, s.root.y, species.maskReach),
+            mix(species.rootOpen, 1.0, s.v), s.density, 1.0, 1.0),
         s.uv);
     lit = light.lit, sunned = light.sunned, turned = light.turned, maskAt = light.maskAt;
     // Quads lie below the curve between their rows; the sun's shade is looked up as high as the curve lies in the mean.
     // An odd number of them lacks a third of what the middle's colour does.
-    vec3 sagged = (2.0 * pose.control - pose.tip) * (s.cell.middleLacked / 3.0);
+    vec3 sagged = (2.0 * pose.control - pose.tip) * (lacked / 3.0);
     maskAt.y += inFullHeight(sagged, s.uv).y / max(species.maskHeight, 1e-4);
     if (viewMode() == VIEW_NORMALS) lit.rgb = n * 0.5 + 0.5;
     strip = vec3(s.across + 0.5, s.v, s.opacity);

@@ -25,7 +25,7 @@ vec3 towardsLight(vec3 at) { return light == 0 ? frame.sunDirection : lampAt(lig
 
 void main() {
     Blade b = bladeHere();
-    Stand s = standHere(b);
+    Stand s = standHere(b, min(species.segments, SHADOW_QUADS));
     left = vec3(1.0);
     gl_Position =
         vec4(0.0, 0.0, 0.5, 1.0);  // dropped: no area. Not beyond a plane: then software clips the whole batch

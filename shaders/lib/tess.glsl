@@ -43,7 +43,7 @@ TessBlade tessBlade(TessCell c, uint index) {
     TessBlade t;
     t.level = 0;
     Blade b = blades[index];
-    Stand s = standAt(CellInstance(c.cell, c.corner, c.mirror, c.shift, 0.0, 0.0), b, 0.0, 0.0);
+    Stand s = standAt(CellInstance(c.cell, c.corner, c.mirror, c.shift, 1, 0.0), b, 0.0, 0.0);
     if (!exists(s)) return t;
     float distance = length(s.root), kept = densityKept(1.0, distance, Thinning(tess.missing, tess.allTo));
     float share = min(geometryOpacity(s.density * kept, 0.0, s.threshold, species.fade) / s.opacity, 1.0);
@@ -94,7 +94,7 @@ BladeLight lightPoint(TessBlade t, float v, out vec3 shown) {
     BladeFrame f = bladeFrameFacing(t.pose.control, t.pose.tip, t.pose.facing, v);
     vec3 position = t.root + f.position;
     shown = dot(f.normal, position) > 0.0 ? -f.normal : f.normal;
-    float lacked = t.level > 1 ? middleLackedEvenly(t.level) : 0.0;
+    float lacked = t.level > 1 ? middleLacked(t.level) : 0.0;
     return lightBlade(Lit(bladeColor(t.hue, t.lightness, v, lacked, t.uv), f.normal, shown,
                           unitOr(-position, 1e-6, shown), position, unlowered(t, f.position), t.pose.facing,
                           t.pose.upright, t.slope, mix(species.rootOpen, 1.0, v), t.density, 1.0, t.own),

