@@ -58,10 +58,10 @@ struct Night {
 TEST(LampLight, IsAsBrightByEachTechniqueAsInTheTruth) {
     NoGlErrors errors;
     const Night nights[] = {
-        {"a lamp over the grass", {{10, 3, 9}}, {{Technique::Geometry, 0.136}}},
+        {"a lamp over the grass", {{10, 3, 9}}, {}},
         {"a low lamp to a side", {{14, 1, 9}}, {}},
         {"a lamp behind the eye", {{10, 2, 4}}, {{Technique::Raytraced, 0.153}}},
-        {"three lamps", {{7, 2.5, 8}, {12, 3, 10}, {10, 2, 14}}, {{Technique::Geometry, 0.2246}}},
+        {"three lamps", {{7, 2.5, 8}, {12, 3, 10}, {10, 2, 14}}, {}},
     };
     for (const Night& n : nights) {
         Project p = night(n.lamps);
