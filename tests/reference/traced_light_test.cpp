@@ -43,7 +43,8 @@ double meanQuotient(const TracedTable& t) {
 double skyQuotient(const TracedTable& t, size_t view) { return t.sky[view].full.y / t.sky[view].local.y; }
 
 TEST(TracedLightOf, BlackBladesSendNoLightToEachOtherAndBrightOnesDo) {
-    const TracedTable dark = tableOf(coloured(0.02f, 0)), bright = tableOf(coloured(0.45f, 0.9f));
+    // As many rays as are sent for pictures: under steep light the soil gets up to 0.99 of what comes half as high.
+    const TracedTable dark = tableOf(coloured(0.02f, 0)), bright = tableOf(coloured(0.45f, 0.9f), 4000);
     // Of dark blades what is left is that the mask is a mean: what is lit is a little less or more than it says.
     EXPECT_NEAR(meanQuotient(dark), 1, 0.15);
     EXPECT_GT(meanQuotient(bright), 1.25 * meanQuotient(dark));
@@ -52,15 +53,11 @@ TEST(TracedLightOf, BlackBladesSendNoLightToEachOtherAndBrightOnesDo) {
     for (size_t i = 0; i < bright.soilScattered.size(); ++i)
         EXPECT_GT(bright.soilScattered[i], 4 * dark.soilScattered[i]) << i;
     const auto ofBright = fitTraced(bright).parts.fill, ofDark = fitTraced(dark).parts.fill;
-    double high = 0, low = 0;
     for (size_t i = 0; i < TRACED_LIGHTS; ++i) {
         const size_t soil = TRACED_HEIGHTS * i, middle = soil + 1;
         EXPECT_GT(ofBright[middle].y, 4 * ofDark[middle].y) << i;
-        // Of steeper light the soil gets nearly as much (at 10,000 rays 0.97 to 0.99), less than these rays scatter by.
-        if (kLightSines[i] < 0.6f) EXPECT_GT(ofBright[middle].y, ofBright[soil].y) << "light comes from above, " << i;
-        high += double(ofBright[middle].y), low += double(ofBright[soil].y);
+        EXPECT_GT(ofBright[middle].y, ofBright[soil].y) << "light comes from above, " << i;
     }
-    EXPECT_GT(high, 1.03 * low) << "light comes from above";
 }
 
 // All of a lawn's direct light, over all views and lights.
