@@ -23,12 +23,12 @@ constexpr float kNear = 0.05f;  // metres
 constexpr float kPixelsPerQuad = 16;
 
 enum Share { kAll, kBoxes, kExact, kShares };
-using Corners = std::array<glm::vec4, 3>;  // in clip space
+using ClipCorners = std::array<glm::vec4, 3>;  // in clip space
 
 struct BareTriangles {
     size_t blades = 0,
            inView = 0;  // of the field; those with a triangle that the frustum may hold: others are in no list
-    std::array<std::vector<Corners>, kShares> of;
+    std::array<std::vector<ClipCorners>, kShares> of;
 };
 
 // Pixels from the lower left.
@@ -36,7 +36,7 @@ inline glm::dvec2 onScreen(const glm::vec4& p, const glm::ivec2& size) {
     const glm::dvec2 at(p.x / p.w, p.y / p.w);
     return (at + 1.0) * 0.5 * glm::dvec2(size);
 }
-inline bool outside(const Corners& t) {
+inline bool outside(const ClipCorners& t) {
     const auto all = [&](auto beyond) { return std::all_of(t.begin(), t.end(), beyond); };
     return all([](const glm::vec4& p) { return p.x < -p.w; }) || all([](const glm::vec4& p) { return p.x > p.w; }) ||
            all([](const glm::vec4& p) { return p.y < -p.w; }) || all([](const glm::vec4& p) { return p.y > p.w; }) ||
@@ -46,7 +46,7 @@ inline double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 // The narrowest of the shares that it belongs to. A sample lies in the middle of a pixel.
-inline Share narrowest(const Corners& t, const glm::ivec2& size) {
+inline Share narrowest(const ClipCorners& t, const glm::ivec2& size) {
     if (std::any_of(t.begin(), t.end(), [](const glm::vec4& p) { return p.w < kNear; })) return kExact;
     const glm::dvec2 p[3] = {onScreen(t[0], size), onScreen(t[1], size), onScreen(t[2], size)};
     const glm::dvec2 low = glm::min(p[0], glm::min(p[1], p[2])), high = glm::max(p[0], glm::max(p[1], p[2]));
@@ -61,7 +61,7 @@ inline Share narrowest(const Corners& t, const glm::ivec2& size) {
         }
     return kBoxes;
 }
-inline void add(BareTriangles& out, const Corners& t, const glm::ivec2& size, bool& seen) {
+inline void add(BareTriangles& out, const ClipCorners& t, const glm::ivec2& size, bool& seen) {
     if (outside(t)) return;
     seen = true;
     const Share s = narrowest(t, size);
@@ -107,10 +107,10 @@ inline void addBlade(BareTriangles& out, const Posed& b, const glm::vec3& corner
     out.inView += seen;
 }
 // A software rasteriser takes a slow way with runs of vertices of which one is to be clipped: those come last.
-inline void orderForRuns(std::vector<Corners>& all) {
+inline void orderForRuns(std::vector<ClipCorners>& all) {
     const auto within = [](const glm::vec4& p) { return p.w > kNear && std::abs(p.x) < p.w && std::abs(p.y) < p.w; };
     std::stable_partition(all.begin(), all.end(),
-                          [&](const Corners& t) { return std::all_of(t.begin(), t.end(), within); });
+                          [&](const ClipCorners& t) { return std::all_of(t.begin(), t.end(), within); });
 }
 inline BareTriangles bareTriangles(const Project& p, const ViewCamera& camera, const glm::ivec2& size, double time) {
     BareTriangles out;

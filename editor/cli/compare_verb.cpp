@@ -103,16 +103,16 @@ Result<std::vector<std::string>> filmNames(const CompareOptions& o) {
     return a;
 }
 
-struct Film {
+struct FilmPair {
     std::vector<std::string> names;
     Popping popping;
     double appearance = 0;  // mean over the pictures
     uint64_t nonFinite = 0;
 };
-Result<Film> compareFilms(const CompareOptions& o) {
+Result<FilmPair> compareFilms(const CompareOptions& o) {
     auto names = filmNames(o);
     if (!names) return names.error();
-    Film film{std::move(*names), {}, 0, 0};
+    FilmPair film{std::move(*names), {}, 0, 0};
     auto popped = popping(film.names.size(), [&](size_t i) -> Result<PicturePair> {
         CompareOptions one = o;
         one.a = (fs::path(o.a) / film.names[i]).string(), one.b = (fs::path(o.b) / film.names[i]).string();
@@ -127,7 +127,7 @@ Result<Film> compareFilms(const CompareOptions& o) {
     return film;
 }
 
-Json filmJson(const Film& f) {
+Json filmJson(const FilmPair& f) {
     const auto worst = static_cast<size_t>(f.popping.worstStep);
     Json j;
     j["pictures"] = static_cast<int>(f.names.size()), j["appearance"] = f.appearance, j["popping"] = f.popping.mean,
@@ -140,7 +140,7 @@ Json filmJson(const Film& f) {
     return j;
 }
 
-std::string filmText(const Film& f) {
+std::string filmText(const FilmPair& f) {
     const auto worst = static_cast<size_t>(f.popping.worstStep);
     return fmt::format(
         "popping      {:.5f}  mean of {} steps; at worst {:.5f}, from {} to {}\nchange       {:.2f}     times as much "

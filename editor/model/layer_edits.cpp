@@ -31,7 +31,7 @@ size_t placeOf(const Project& p, const std::string& layerPath) {
 Status noLayer(const std::string& path) { return usage(fmt::format("there is no layer {}", path)); }
 
 // A name that no layer of the entity has.
-std::string freeName(const MapLayers& of, const std::string& stem) {
+std::string freeLayerName(const MapLayers& of, const std::string& stem) {
     const auto taken = [&](const std::string& name) {
         return std::any_of(of.layers.begin(), of.layers.end(), [&](const MapLayer& l) { return l.name == name; });
     };
@@ -147,7 +147,7 @@ Status addLayer(Document& doc, const std::string& mapPath, LayerKind kind) {
     const char* name = kLayerKinds[kind];
     return inOneStep(doc, fmt::format("add {} layer over {}", name, map->path), [&]() -> Status {
         const MapLayers* before = layersOf(doc.project(), entity + ".");
-        const std::string called = freeName(before ? *before : MapLayers{}, name);
+        const std::string called = freeLayerName(before ? *before : MapLayers{}, name);
         if (!before)
             if (Status done = doc.addComponent(entity, "MapLayers"); !done) return done;
         if (Status done = doc.addListElement(list); !done) return done;

@@ -39,7 +39,7 @@ void pad(Axis& a) {
     a.low -= more, a.high += more;
 }
 
-struct Plot {
+struct PlotLayout {
     Axis x = emptyAxis(), y = emptyAxis();
     ImVec2 low, high;  // of its inside, window coordinates
 };
@@ -62,8 +62,9 @@ std::vector<std::vector<const TechniqueRow*>> legendLines(std::span<const Techni
     return lines;
 }
 
-Plot layOut(const CostRun& run, const CostFloors& f, std::span<const TechniqueRow> techniques, ImVec2 at, ImVec2 size) {
-    Plot p;
+PlotLayout layOut(const CostRun& run, const CostFloors& f, std::span<const TechniqueRow> techniques, ImVec2 at,
+                  ImVec2 size) {
+    PlotLayout p;
     for (const CostRow& r : run.rows)
         if (isDrawn(r)) p.x.take(r.msMedian), p.y.take(r.metrics.appearance.distance);
     for (const double v : {f.seed.distance, f.sampling.distance, f.flat.distance}) p.y.take(v);
@@ -85,7 +86,7 @@ void ticks(const Axis& a, const Draw& draw) {
             if (const double v = m * std::pow(10, decade); std::log10(v) >= a.low && std::log10(v) <= a.high) draw(v);
 }
 
-void axes(const Plot& p) {
+void axes(const PlotLayout& p) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImU32 line = ui::kFaintLine;
     const float em = ImGui::GetFontSize();
@@ -112,7 +113,7 @@ void axes(const Plot& p) {
     list.AddRect(p.low, p.high, ui::kLine);
 }
 
-void level(const Plot& p, double v, const char* label, float& taken) {
+void level(const PlotLayout& p, double v, const char* label, float& taken) {
     if (!(v > 0)) return;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float y = p.y.at(v);
@@ -123,7 +124,7 @@ void level(const Plot& p, double v, const char* label, float& taken) {
     taken += size.x + 14;  // side by side: lines may lie close
 }
 
-void frontier(const Plot& p, const CostRun& run) {
+void frontier(const PlotLayout& p, const CostRun& run) {
     std::vector<const CostRow*> rows;
     for (const CostRow& r : run.rows)
         if (isDrawn(r) && r.onFrontier) rows.push_back(&r);
@@ -134,7 +135,7 @@ void frontier(const Plot& p, const CostRun& run) {
             {p.x.at(rows[i]->msMedian), p.y.at(rows[i]->metrics.appearance.distance)}, ui::kLine, 1.5f);
 }
 
-void legend(const Plot& p, std::span<const TechniqueRow> techniques) {
+void legend(const PlotLayout& p, std::span<const TechniqueRow> techniques) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float em = ImGui::GetFontSize(), room = p.high.x - p.low.x - ImGui::CalcTextSize(kTitle).x;
     const auto lines = legendLines(techniques, room);
@@ -151,7 +152,7 @@ void legend(const Plot& p, std::span<const TechniqueRow> techniques) {
 }
 
 // Beside a point, within the plot.
-void mark(const Plot& p, const ImVec2& at, const char* text) {
+void mark(const PlotLayout& p, const ImVec2& at, const char* text) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddCircle(at, 8, ui::kStrongLine, 0, 2);
     const float width = ImGui::CalcTextSize(text).x;
@@ -159,10 +160,12 @@ void mark(const Plot& p, const ImVec2& at, const char* text) {
     list.AddText({x, at.y - ImGui::GetFontSize() / 2}, ui::kStrongLine, text);
 }
 
-ImVec2 pointAt(const Plot& p, const CostRow& r) { return {p.x.at(r.msMedian), p.y.at(r.metrics.appearance.distance)}; }
+ImVec2 pointAt(const PlotLayout& p, const CostRow& r) {
+    return {p.x.at(r.msMedian), p.y.at(r.metrics.appearance.distance)};
+}
 
 // The row nearest the pointer, if it is on one.
-const CostRow* rowUnder(const Plot& p, const CostRun& run) {
+const CostRow* rowUnder(const PlotLayout& p, const CostRun& run) {
     const CostRow* best = nullptr;
     float nearest = 8;
     const ImVec2 m = ImGui::GetIO().MousePos;
@@ -186,7 +189,7 @@ void recordPoint(const ImVec2& at, const CostRow& r) {
 }
 
 // One standard error each way, of the appearance and of the median time.
-void bars(const Plot& p, const CostRow& r, ImU32 color) {
+void bars(const PlotLayout& p, const CostRow& r, ImU32 color) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 at = pointAt(p, r);
     const double error = r.metrics.appearance.distance, sigma = r.metrics.appearance.sigma;
@@ -198,7 +201,7 @@ void bars(const Plot& p, const CostRow& r, ImU32 color) {
                      color);
 }
 
-void points(const Plot& p, const CostRun& run, const CostRow* hovered, const Document& doc, bool isMeasured,
+void points(const PlotLayout& p, const CostRun& run, const CostRow* hovered, const Document& doc, bool isMeasured,
             const std::optional<ViewportPoint>& viewport) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     bool marked = false;
@@ -245,7 +248,7 @@ std::optional<CostSetting> drawCostPlot(const std::optional<CostRun>& measured, 
     if (!measured || measured->floors.empty()) return emptyPlot(at, size), std::nullopt;
     const CostRun& run = *measured;
     const CostFloors& floors = run.floors.front();
-    const Plot p = layOut(run, floors, document.tables().techniques, at, size);
+    const PlotLayout p = layOut(run, floors, document.tables().techniques, at, size);
     axes(p);
     float taken = 0;
     level(p, floors.flat.distance, "flat colour", taken);

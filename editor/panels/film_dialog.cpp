@@ -55,11 +55,11 @@ void side(const char* label, int& pixels) {
     pixels = static_cast<int>(std::lround(value));
 }
 
-struct Preset {
+struct FilmSize {
     const char* label;
     int width, height;
 };
-constexpr Preset kPresets[] = {{"1280 x 720", 1280, 720}, {"1920 x 1080", 1920, 1080}, {"3840 x 2160", 3840, 2160}};
+constexpr FilmSize kFilmSizes[] = {{"1280 x 720", 1280, 720}, {"1920 x 1080", 1920, 1080}, {"3840 x 2160", 3840, 2160}};
 
 void size(FilmPlan& plan) {
     columnCaption("Size");
@@ -67,7 +67,7 @@ void size(FilmPlan& plan) {
     ImGui::SameLine(0, 6);
     side("Height", plan.height);
     ImGui::SetCursorPosX(em(6.5f));
-    for (const Preset& p : kPresets) {
+    for (const FilmSize& p : kFilmSizes) {
         if (ui::button(p.label, 0, plan.width == p.width && plan.height == p.height))
             plan.width = p.width, plan.height = p.height;
         ImGui::SameLine(0, 4);
@@ -106,7 +106,7 @@ void way(FilmPlan& plan, const Project& project) {
 }
 
 void place(FilmDialog& d) {
-    caption(d.plan.film ? "Folder" : "File");
+    bar::caption(d.plan.film ? "Folder" : "File");
     ImGui::SetNextItemWidth(-1);
     ui::input("Path", d.out, d.plan.film ? "folder of the film" : "file, ending in .png or .exr");
 }

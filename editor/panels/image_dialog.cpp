@@ -18,14 +18,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct TaskWords {
+struct ImageWords {
     const char *title, *action;
 };
-const TaskWords& wordsOf(ImageTask task) {
-    static constexpr TaskWords kWords[] = {{"", ""},
-                                           {"A brush's shape from an image", "Take"},
-                                           {"Import an image into a map", "Import"},
-                                           {"Heights into a part of the ground", "Place"}};
+const ImageWords& wordsOf(ImageTask task) {
+    static constexpr ImageWords kWords[] = {{"", ""},
+                                            {"A brush's shape from an image", "Take"},
+                                            {"Import an image into a map", "Import"},
+                                            {"Heights into a part of the ground", "Place"}};
     return kWords[static_cast<size_t>(task)];
 }
 

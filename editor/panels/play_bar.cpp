@@ -17,9 +17,9 @@ namespace {
 
 constexpr ImU32 kPlaying = IM_COL32(78, 176, 232, 255), kPaused = IM_COL32(232, 176, 64, 255);
 
-enum class Icon { Play, Stop, Pause, Step };
+enum class PlayIcon { Play, Stop, Pause, Step };
 
-void drawIcon(Icon icon, ImVec2 c, float r, ImU32 color) {
+void drawPlayIcon(PlayIcon icon, ImVec2 c, float r, ImU32 color) {
     ImDrawList& d = *ImGui::GetWindowDrawList();
     const auto bar = [&](float x) {
         d.AddRectFilled({c.x + x - r * 0.22f, c.y - r}, {c.x + x + r * 0.22f, c.y + r}, color);
@@ -28,18 +28,18 @@ void drawIcon(Icon icon, ImVec2 c, float r, ImU32 color) {
         d.AddTriangleFilled({c.x + x - r * 0.8f, c.y - r}, {c.x + x + r, c.y}, {c.x + x - r * 0.8f, c.y + r}, color);
     };
     switch (icon) {
-        case Icon::Play:
+        case PlayIcon::Play:
             return arrow(0);
-        case Icon::Stop:
+        case PlayIcon::Stop:
             return d.AddRectFilled({c.x - r * 0.9f, c.y - r * 0.9f}, {c.x + r * 0.9f, c.y + r * 0.9f}, color);
-        case Icon::Pause:
+        case PlayIcon::Pause:
             return bar(-r * 0.5f), bar(r * 0.5f);
-        case Icon::Step:
+        case PlayIcon::Step:
             return bar(-r * 0.9f), arrow(r * 0.3f);
     }
 }
 
-bool iconButton(const char* label, Icon icon, ImU32 color, const char* help, bool enabled) {
+bool iconButton(const char* label, PlayIcon icon, ImU32 color, const char* help, bool enabled) {
     const ui::Disabled off(!enabled);
     const float height = ImGui::GetFrameHeight() - 4;
     ImGui::SetCursorPosY(2);
@@ -47,8 +47,8 @@ bool iconButton(const char* label, Icon icon, ImU32 color, const char* help, boo
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     ui::record(label, ui::Kind::Button);
     ui::tooltip(help);
-    drawIcon(icon, {(low.x + high.x) / 2, (low.y + high.y) / 2}, height * 0.28f,
-             enabled ? color : ImGui::GetColorU32(ImGuiCol_TextDisabled));
+    drawPlayIcon(icon, {(low.x + high.x) / 2, (low.y + high.y) / 2}, height * 0.28f,
+                 enabled ? color : ImGui::GetColorU32(ImGuiCol_TextDisabled));
     return pressed;
 }
 
@@ -71,14 +71,15 @@ PlayAction drawPlayBar(const Document& doc) {
     const float width = (ImGui::GetFrameHeight() - 4) * 1.7f * 3 + 2 * ImGui::GetStyle().ItemSpacing.x;
     ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX() + 12, (ImGui::GetWindowWidth() - width) / 2));
     const ImU32 plain = ImGui::GetColorU32(ImGuiCol_Text);
-    if (iconButton("Start", play ? Icon::Stop : Icon::Play, play ? ui::kErrorText : IM_COL32(120, 200, 90, 255),
+    if (iconButton("Start", play ? PlayIcon::Stop : PlayIcon::Play, play ? ui::kErrorText : IM_COL32(120, 200, 90, 255),
                    play ? "Stops: everything is as it was before (F5)." : "Walks through the project from here (F5).",
                    doc.isOpen()))
         action = PlayAction::Toggle;
-    if (iconButton("Pause", play && play->paused() ? Icon::Play : Icon::Pause, play && play->paused() ? kPaused : plain,
-                   play && play->paused() ? "Goes on (F6)." : "Pauses (F6).", play))
+    if (iconButton("Pause", play && play->paused() ? PlayIcon::Play : PlayIcon::Pause,
+                   play && play->paused() ? kPaused : plain, play && play->paused() ? "Goes on (F6)." : "Pauses (F6).",
+                   play))
         action = PlayAction::Pause;
-    if (iconButton("Step", Icon::Step, plain, "One step of 1/60 s (F11).", play)) action = PlayAction::Step;
+    if (iconButton("Step", PlayIcon::Step, plain, "One step of 1/60 s (F11).", play)) action = PlayAction::Step;
     ui::record("State", ui::Kind::Label, !play ? "stopped" : play->paused() ? "paused" : "playing");
     ImGui::EndMenuBar();
     ImGui::End();

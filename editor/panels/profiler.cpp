@@ -44,7 +44,7 @@ void passes(const FrameStats& s, bool measured) {
     ImGui::EndTable();
 }
 
-void species(ViewCounts& counts) {
+void speciesTable(ViewCounts& counts) {
     counts.wantsSpecies = true;
     const int flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_SizingStretchProp;
     if (counts.species.empty()) return ImGui::TextDisabled("counted as soon as the picture rests");
@@ -88,7 +88,7 @@ void drawProfiler(ViewCounts& counts, FrameTimes& times, bool measured, const st
         if (ui::section("Frames", "Frames")) drawFrameGraph(times, ImGui::GetFontSize() * 4);
         ImGui::TableNextColumn();
         if (ui::section("Passes", "Passes")) passes(s, measured);
-        if (ui::section("Blades", "Blades by species")) species(counts);
+        if (ui::section("Blades", "Blades by species")) speciesTable(counts);
         ImGui::EndTable();
     }
     ImGui::EndChild();

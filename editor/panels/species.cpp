@@ -16,7 +16,7 @@
 namespace sward {
 namespace {
 
-struct Parts {
+struct SpeciesParts {
     const FieldParts& fields;
     SpeciesPalette& palette;
     BrushBook& brushes;
@@ -29,13 +29,13 @@ std::string densityOf(const std::string& field, const std::string& species) {
 ui::TileSize speciesTile() { return {ImGui::GetFontSize() * 5, ImGui::GetFontSize() * 5}; }
 
 // Chosen here, and painted from now on.
-void take(const Parts& p, const std::string& species) {
+void take(const SpeciesParts& p, const std::string& species) {
     p.palette.species = species;
     selectMap(p.fields.doc, p.brushes, densityOf(p.palette.field, species));
 }
 
 // Runs an edit that makes a species, which is chosen then.
-void make(const Parts& p, const std::function<Result<std::string>()>& edit) {
+void make(const SpeciesParts& p, const std::function<Result<std::string>()>& edit) {
     p.fields.edits.deferred.push_back([parts = p.fields, &palette = p.palette, &brushes = p.brushes, edit] {
         const Result<std::string> made = edit();
         if (!made) return showError(parts.messages, made.error());
@@ -44,7 +44,7 @@ void make(const Parts& p, const std::function<Result<std::string>()>& edit) {
     });
 }
 
-void ownSpecies(const Parts& p, const GrassField& field) {
+void ownSpecies(const SpeciesParts& p, const GrassField& field) {
     const ui::Scope scope("Own");
     const std::filesystem::path& dir = p.fields.doc.project().dir;
     for (const Species& s : field.species) {
@@ -55,7 +55,7 @@ void ownSpecies(const Parts& p, const GrassField& field) {
     }
 }
 
-void presets(const Parts& p) {
+void presets(const SpeciesParts& p) {
     const ui::Scope scope("Presets");
     bool first = true;
     for (const SpeciesPreset& preset : speciesPresets()) {
@@ -67,7 +67,7 @@ void presets(const Parts& p) {
     }
 }
 
-void buttons(const Parts& p) {
+void buttons(const SpeciesParts& p) {
     Document& doc = p.fields.doc;
     const SpeciesPreset* preset = findPreset(p.palette.preset);
     const std::string field = p.palette.field, species = p.palette.species;
@@ -116,7 +116,7 @@ void drawSpecies(const FieldParts& fields, SpeciesPalette& palette, BrushBook& b
     if (!fields.doc.isOpen()) return ImGui::TextDisabled("No project is open.");
     if (!firstOf<GrassField>(fields.doc.project())) return ImGui::TextDisabled("There is no field of grass.");
     const GrassField& field = *followChoice(palette, fields.doc, brushes, selected);
-    const Parts p{fields, palette, brushes};
+    const SpeciesParts p{fields, palette, brushes};
     buttons(p);
     const std::string told = "species of " + palette.field + ", and presets below";
     const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;

@@ -158,7 +158,7 @@ void icon(const std::string& tool, const char* label, ImVec2 low, ImVec2 high, I
     d.AddText({c.x - size.x / 2, c.y - size.y / 2}, color, first);
 }
 
-using Icon = void (*)(Draw, ImVec2 centre, float radius, ImU32 color);
+using ToolIcon = void (*)(Draw, ImVec2 centre, float radius, ImU32 color);
 
 // As wide as the strip, but no larger than lets all of them fit one above the other.
 float buttonSide(size_t buttons) {
@@ -169,7 +169,7 @@ float buttonSide(size_t buttons) {
 
 // True if it was pressed. `own`: its icon, of what is no brush.
 bool toolButton(bool chosen, const std::string& tool, const char* label, const std::string& help, float side,
-                Icon own = nullptr) {
+                ToolIcon own = nullptr) {
     if (chosen) ui::pushAccent();
     const bool pressed = ImGui::Button(("##" + tool).c_str(), {side, side});
     if (chosen) ui::popAccent();
@@ -186,7 +186,7 @@ bool toolButton(bool chosen, const std::string& tool, const char* label, const s
 
 struct ObjectButton {
     GizmoMode mode;
-    Icon icon;
+    ToolIcon icon;
     const char* label;
     const char* help;
 };

@@ -29,7 +29,7 @@ int drop(lua_State* L, State& state) {
 }
 
 // Numbers, strings and booleans, as a person would enter them.
-int set(lua_State* L, State& state) {
+int setItem(lua_State* L, State& state) {
     const std::string label = textArg(L, 1);
     luaL_checkany(L, 2);
     const std::string text = luaL_tolstring(L, 2, nullptr);
@@ -37,13 +37,13 @@ int set(lua_State* L, State& state) {
     return 0;
 }
 
-int get(lua_State* L, State& state) {
+int itemText(lua_State* L, State& state) {
     const std::string text = orRaise(L, driver(L, state).get(textArg(L, 1)));
     lua_pushlstring(L, text.data(), text.size());
     return 1;
 }
 
-int exists(lua_State* L, State& state) {
+int itemExists(lua_State* L, State& state) {
     lua_pushboolean(L, driver(L, state).exists(textArg(L, 1)));
     return 1;
 }
@@ -85,9 +85,9 @@ void openUiCalls(lua_State* L) {
     constexpr NamedCall calls[] = {{"click", luaCall<click>},
                                    {"rightClick", luaCall<rightClick>},
                                    {"drop", luaCall<drop>},
-                                   {"set", luaCall<set>},
-                                   {"get", luaCall<get>},
-                                   {"exists", luaCall<exists>},
+                                   {"set", luaCall<setItem>},
+                                   {"get", luaCall<itemText>},
+                                   {"exists", luaCall<itemExists>},
                                    {"key", luaCall<key>},
                                    {"drag", luaCall<drag>},
                                    {"rect", luaCall<rect>},

@@ -15,7 +15,7 @@ constexpr double kPlaneLow = 22, kPlaneHigh = 40;
 constexpr double kReach = 8;  // pixels from a line at which the pointer is on it
 constexpr int kRingPoints = 64;
 constexpr double kParallel = 0.035;                     // sine of two degrees
-constexpr double kFarthest = 50;                        // times as far as the pivot
+constexpr double kFarthestTimes = 50;                   // times as far as the pivot
 constexpr double kLeastScale = 0.01, kMostScale = 100;  // factors of one drag
 constexpr glm::dvec3 kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1}, kNone{0};
 
@@ -225,7 +225,7 @@ std::optional<double> alongAxis(const glm::dvec3& pivot, const glm::dvec3& axis,
     if (sine2 < kParallel * kParallel) return std::nullopt;
     const double a = glm::dot(axis, apart), r = glm::dot(ray.way, apart);
     const double far = (r - b * a) / sine2;  // along the ray
-    if (!(far > 0) || far > kFarthest * glm::length(apart)) return std::nullopt;
+    if (!(far > 0) || far > kFarthestTimes * glm::length(apart)) return std::nullopt;
     return (b * r - a) / sine2;
 }
 
@@ -234,7 +234,7 @@ std::optional<glm::dvec3> onPlane(const glm::dvec3& pivot, const glm::dvec3& nor
     const double sine = glm::dot(normal, ray.way);
     if (std::abs(sine) < kParallel) return std::nullopt;
     const double far = glm::dot(normal, apart) / sine;
-    if (!(far > 0) || far > kFarthest * glm::length(apart)) return std::nullopt;
+    if (!(far > 0) || far > kFarthestTimes * glm::length(apart)) return std::nullopt;
     return ray.from + ray.way * far;
 }
 

@@ -174,7 +174,7 @@ fs::path stateDir() { return userDir("XDG_STATE_HOME", ".local/state", "state");
 
 namespace {
 constexpr const char* kStayInside = "name a file inside the project's folder";
-}
+}  // namespace
 
 Status checkInside(const std::string& relative) {
     const fs::path given(relative);

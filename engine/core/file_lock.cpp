@@ -29,11 +29,6 @@ LockTry tryDescriptor(int fd, LockKind kind) {
     return errno == EWOULDBLOCK ? LockTry::Busy : LockTry::Absent;
 }
 
-std::string hostName() {
-    char name[256] = {};
-    return ::gethostname(name, sizeof name - 1) == 0 ? name : "";
-}
-
 std::string holderText(long pid, const std::string& host) {
     if (pid <= 0) return "another program";
     return fmt::format("process {}{}{}", pid, host.empty() ? "" : " on ", host);
@@ -72,6 +67,11 @@ long systemHolder(const fs::path& locked) {
 }
 
 }  // namespace
+
+std::string hostName() {
+    char name[256] = {};
+    return ::gethostname(name, sizeof name - 1) == 0 ? name : "";
+}
 
 FileLock::FileLock(FileLock&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
 FileLock& FileLock::operator=(FileLock&& other) noexcept {

@@ -33,6 +33,9 @@ class FileLock {
     int fd_ = -1;
 };
 
+// This machine's name in its network, by which notes of locks and tables of times know it; "" if it has none.
+std::string hostName();
+
 // Who holds a lock on a file or folder: "process 1234 on meadow", as the holder noted it in the file or else as the
 // system knows it; "another program" where neither does. To be asked while the lock is Busy: a note outlasts its
 // writer.

@@ -330,7 +330,7 @@ void listRows(Sweep& s) {
     s.run.total = index;
 }
 // Of a sweep that is no shard: rows of equal pictures are one, and need no times of their own.
-void keepDistinct(Sweep& s) {
+void keepDistinctRows(Sweep& s) {
     const std::vector<size_t> kept = distinctRows(s.run.rows);
     for (size_t i = 0; i < kept.size(); ++i) s.settings[i] = s.settings[kept[i]];
     s.settings.resize(kept.size());
@@ -362,7 +362,7 @@ Result<CostRun> runCost(const CostRequest& request, const Project& project, cons
     listRows(s);
     if (Status st = traceTruths(s); !st) return st.error();
     if (Status st = drawAll(s); !st) return st.error();
-    if (request.shards == 1) keepDistinct(s);
+    if (request.shards == 1) keepDistinctRows(s);
     if (Status st = timeAll(s); !st) return st.error();
     markFrontier(s.run.rows);
     return std::move(s.run);

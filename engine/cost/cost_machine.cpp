@@ -1,21 +1,15 @@
 #include "cost/cost_machine.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cctype>
 #include <fstream>
 #include <set>
 
+#include "core/file_lock.h"
 #include "core/jobs.h"
 
 namespace sward {
 namespace {
-
-std::string hostName() {
-    char name[256] = "";
-    return ::gethostname(name, sizeof name - 1) == 0 ? name : "";
-}
 
 // "model name      : ..." of the first processor.
 std::string cpuName() {

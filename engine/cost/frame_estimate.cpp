@@ -8,7 +8,7 @@
 namespace sward {
 namespace {
 
-double secondsOf(uint64_t blades) { return static_cast<double>(blades) * kSecondsABlade; }
+double secondsToPlace(uint64_t blades) { return static_cast<double>(blades) * kSecondsABlade; }
 
 std::string techniqueIn(const Project& project, const std::string& entity) {
     const GrassField* field = project.registry.get<GrassField>(findEntity(project, entity));
@@ -31,8 +31,8 @@ FrameEstimate estimateFrame(const Project& project, const Tables& tables, const 
         if (all.fields.empty() || all.fields.back().entity != s.entity)
             all.fields.push_back({s.entity, techniqueIn(project, s.entity)});
         all.fields.back().blades += s.drawn;
-        all.fields.back().seconds += secondsOf(s.drawn);
-        all.seconds += secondsOf(s.drawn);
+        all.fields.back().seconds += secondsToPlace(s.drawn);
+        all.seconds += secondsToPlace(s.drawn);
     }
     std::stable_sort(all.fields.begin(), all.fields.end(),
                      [](const FieldEstimate& a, const FieldEstimate& b) { return a.seconds > b.seconds; });

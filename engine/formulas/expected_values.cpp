@@ -9,11 +9,9 @@
 namespace sward {
 namespace {
 
-using Json = nlohmann::json;
-
-void flatten(const Json& value, std::vector<double>& out) {
+void flatten(const nlohmann::json& value, std::vector<double>& out) {
     if (value.is_array()) {
-        for (const Json& item : value) flatten(item, out);
+        for (const nlohmann::json& item : value) flatten(item, out);
     } else if (value.is_boolean()) {
         out.push_back(value.get<bool>() ? 1 : 0);
     } else if (value.is_null()) {
@@ -25,7 +23,7 @@ void flatten(const Json& value, std::vector<double>& out) {
     }
 }
 
-ExpectedRecord recordOf(const Json& object) {
+ExpectedRecord recordOf(const nlohmann::json& object) {
     ExpectedRecord record;
     for (const auto& [field, value] : object.items()) flatten(value, record[field]);
     return record;
@@ -36,12 +34,12 @@ ExpectedRecord recordOf(const Json& object) {
 Result<ExpectedValues> loadExpectedValues(const std::string& file) {
     std::ifstream stream(file);
     if (!stream) return failed("cannot read the expected values", "run from the source tree").at(file);
-    const Json json = Json::parse(stream, nullptr, false);
+    const nlohmann::json json = nlohmann::json::parse(stream, nullptr, false);
     if (!json.is_object()) return unsound("is not a JSON object").at(file);
     ExpectedValues values;
     for (const auto& [group, records] : json.items()) {
         if (!records.is_array()) continue;
-        for (const Json& record : records) values[group].push_back(recordOf(record));
+        for (const nlohmann::json& record : records) values[group].push_back(recordOf(record));
     }
     return values;
 }

@@ -10,7 +10,6 @@
 namespace sward {
 namespace {
 
-constexpr float kInf = std::numeric_limits<float>::infinity();
 constexpr float kSlicesReach = 1.1f;  // by pixels: of where blades end, so that slices have room to fade
 
 // --- distances -------------------------------------------------------------------------------------------------------
@@ -87,16 +86,16 @@ FieldTiers hybridCoarseTiers(const FieldEntity& field, float pixelsPerMetre) {
 FeatureSet geometryFeatures(const FieldEntity&) { return featureSet(Feature::GrassGeometry); }
 FieldTiers geometryTiers(const FieldEntity& field, float pixelsPerMetre) {
     FieldTiers tiers = flatTiers(field, pixelsPerMetre);
-    tiers.blades = {0, 0, kInf};
-    tiers.soil = fadeRange(kInf, kInf);
+    tiers.blades = {0, 0, INFINITY};
+    tiers.soil = fadeRange(INFINITY, INFINITY);
     return tiers;
 }
 
 FeatureSet slicesFeatures(const FieldEntity&) { return featureSet(Feature::GrassSlices, Feature::GrassFar); }
 FieldTiers slicesTiers(const FieldEntity& field, float pixelsPerMetre) {
     FieldTiers tiers = flatTiers(field, pixelsPerMetre);
-    tiers.flat = {0, 0, kInf};
-    tiers.slicesTo = kInf;
+    tiers.flat = {0, 0, INFINITY};
+    tiers.slicesTo = INFINITY;
     return tiers;
 }
 

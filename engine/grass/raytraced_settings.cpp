@@ -6,7 +6,6 @@
 namespace sward {
 namespace {
 
-constexpr float kInf = std::numeric_limits<float>::infinity();
 constexpr float kFadeFrom = 0.7f;  // share of maxDistance from which the horizontal slice takes over
 
 FeatureSet features(const FieldEntity&) { return featureSet(Feature::GrassRaytraced, Feature::GrassFar); }
@@ -14,7 +13,7 @@ FeatureSet features(const FieldEntity&) { return featureSet(Feature::GrassRaytra
 FieldTiers tiers(const FieldEntity& field, float) {
     const float far = field.settings<RaytracedGrass>().maxDistance;
     FieldTiers t;
-    t.flat = std::isinf(far) ? FadeRange{0, 0, kInf} : fadeRange(kFadeFrom * far, far);
+    t.flat = std::isinf(far) ? FadeRange{0, 0, INFINITY} : fadeRange(kFadeFrom * far, far);
     t.soil = fadeRange(kFadeFrom * far, far);
     t.slicesTo = far;
     t.shadowsTo = far;

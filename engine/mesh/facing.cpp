@@ -7,7 +7,7 @@
 namespace sward {
 namespace {
 
-constexpr int kTurns = 32;  // of a normal about the upright
+constexpr int kNormalTurns = 32;  // of a normal about the upright
 
 // Pieces: each vertex points to the least that it hangs together with.
 struct Pieces {
@@ -53,8 +53,8 @@ void eachNormal(const Facing& facing, const glm::vec3& light, const glm::vec3& e
     for (int b = 0; b < kFacingBins; ++b) {
         if (!(facing[static_cast<size_t>(b)] > 0)) continue;
         const float y = (static_cast<float>(b) + 0.5f) / kFacingBins, r = std::sqrt(1 - y * y);
-        for (int k = 0; k < kTurns; ++k) {
-            const float turn = kFullTurn * (static_cast<float>(k) + 0.5f) / kTurns;
+        for (int k = 0; k < kNormalTurns; ++k) {
+            const float turn = kFullTurn * (static_cast<float>(k) + 0.5f) / kNormalTurns;
             const glm::vec3 n(r * std::cos(turn), y, r * std::sin(turn));
             body(facing[static_cast<size_t>(b)], n, glm::dot(n, eye), glm::dot(n, light));
         }
@@ -147,7 +147,7 @@ float seenFrom(const Facing& facing, float y) {
     float sum = 0;
     eachNormal(facing, glm::vec3(0), rising(y),
                [&](float weight, const glm::vec3&, float seen, float) { sum += weight * std::abs(seen); });
-    return 2 * sum / kTurns;
+    return 2 * sum / kNormalTurns;
 }
 
 float sentTo(const Facing& facing, float light, float eye, float cosine) {

@@ -3,14 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
+#include <cmath>
 
 #include "maps/distances.h"
 
 namespace sward {
 namespace {
-
-constexpr float kInf = std::numeric_limits<float>::infinity();
 
 // What of a triangle lies at y <= top: up to four corners, x and z.
 struct Corners {
@@ -46,7 +44,7 @@ std::vector<Corners> lowParts(const Mesh& mesh, const glm::mat3& turn, float top
 
 // The raster, the outline in its middle half.
 void place(Footprint& f, const std::vector<Corners>& parts) {
-    glm::vec2 low(kInf), high(-kInf);
+    glm::vec2 low(INFINITY), high(-INFINITY);
     for (const Corners& c : parts)
         for (size_t i = 0; i < c.count; ++i)
             low = glm::min(low, c.at[i]), high = glm::max(high, c.at[i]),
@@ -68,7 +66,7 @@ void cover(const Footprint& f, const Corners& c, std::vector<uint8_t>& covered) 
         if (x >= 0 && y >= 0 && x < f.width && y < f.height)
             covered[static_cast<size_t>(y) * static_cast<size_t>(f.width) + static_cast<size_t>(x)] = 1;
     };
-    float top = kInf, bottom = -kInf;
+    float top = INFINITY, bottom = -INFINITY;
     for (size_t i = 0; i < c.count; ++i) {
         const glm::vec2 a = p[i], way = p[(i + 1) % c.count] - a;
         const int steps = 1 + static_cast<int>(2 * glm::length(way));
@@ -80,7 +78,7 @@ void cover(const Footprint& f, const Corners& c, std::vector<uint8_t>& covered) 
     }
     for (int y = std::max(static_cast<int>(top), 0); y <= std::min(static_cast<int>(bottom), f.height - 1); ++y) {
         const float middle = static_cast<float>(y) + 0.5f;
-        float left = kInf, right = -kInf;
+        float left = INFINITY, right = -INFINITY;
         for (size_t i = 0; i < c.count; ++i) {
             const glm::vec2 a = p[i], b = p[(i + 1) % c.count];
             if ((a.y <= middle) == (b.y <= middle)) continue;

@@ -9,8 +9,6 @@
 namespace sward {
 namespace {
 
-constexpr double kInf = std::numeric_limits<double>::infinity();
-
 // --- Transform ---------------------------------------------------------------------------------------------------
 constexpr FieldRow kTransformFields[] = {
     number(FieldType::Vec3, "position", offsetof(Transform, position), "m", kPosition,
@@ -191,7 +189,7 @@ constexpr FieldRow kFogFields[] = {
              "distance at which contrast has fallen to 2%; inf: no haze"),
 };
 FeatureSet fogFeatures(const void* component) {
-    return static_cast<const Fog*>(component)->visibility < kInf ? featureSet(Feature::Fog) : FeatureSet{};
+    return static_cast<const Fog*>(component)->visibility < INFINITY ? featureSet(Feature::Fog) : FeatureSet{};
 }
 
 // --- Water, Flowers ----------------------------------------------------------------------------------------------

@@ -9,8 +9,6 @@
 namespace sward {
 namespace {
 
-constexpr double kInf = std::numeric_limits<double>::infinity();
-
 bool finite(const glm::dvec2& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 double lengthOf(const glm::dvec2& v) { return std::hypot(v.x, v.y); }
 
@@ -211,7 +209,7 @@ NearestOnCurve nearestOn(const GroundCurve& curve, const glm::dvec2& place, doub
 double reachOf(const GroundPath& path) { return 0.5 * double(path.width) + double(path.falloff); }
 double weightAt(const GroundPath& path, double distance) {
     const double beside = distance - 0.5 * double(path.width);
-    if (!(distance < kInf)) return 0;
+    if (!(distance < INFINITY)) return 0;
     if (beside <= 0) return 1;
     if (beside >= double(path.falloff)) return 0;
     const double s = 1 - beside / double(path.falloff);

@@ -29,7 +29,7 @@ AirTable fill(int width, int height, const std::function<vec3(float x, float y)>
 
 // Heights are closer together near the ground.
 float heightShare(float height) { return std::sqrt(std::clamp(height / f32::kAirTop, 0.0f, 1.0f)); }
-float heightOf(float share) { return f32::kAirTop * share * share; }
+float heightAtShare(float share) { return f32::kAirTop * share * share; }
 // And the sun's heights near the horizon.
 float sunShare(float mu) { return 0.5f + 0.5f * std::copysign(std::sqrt(std::min(std::abs(mu), 1.0f)), mu); }
 float sunMu(float share) {
@@ -48,7 +48,7 @@ float muOfExit(float height, float exit) {
     return std::clamp((out - exit * exit) / (2 * (f32::kPlanet + height) * exit), 0.0f, 1.0f);
 }
 vec3 columnsAt(float x, float y) {
-    const float height = heightOf(y);
+    const float height = heightAtShare(y);
     const Way w = waysOut(height);
     return f32::airColumns(height, muOfExit(height, w.least + x * (w.most - w.least)), kColumnSteps);
 }
@@ -206,7 +206,7 @@ void updateAir(AirTables& t, float turbidity, float sunUp, float haze) {
     if (t.columns.values.empty()) t.columns = fill(96, 48, columnsAt);
     if (!sameAir)
         t.scattered =
-            fill(33, 24, [&](float x, float y) { return scatteredAt(t.columns, air, heightOf(y), sunMu(x)); });
+            fill(33, 24, [&](float x, float y) { return scatteredAt(t.columns, air, heightAtShare(y), sunMu(x)); });
     t.turbidity = turbidity, t.sunUp = sunUp, t.haze = haze;
     if (!sameSun)
         t.sky = fill(64, 96, [&](float x, float y) { return skySeen(t, air, rayTo(sunUp, x, f32::skySine(y))); });

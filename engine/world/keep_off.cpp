@@ -37,7 +37,7 @@ double reachOf(const Footprint& f) {
     return static_cast<double>(glm::length(far));
 }
 
-std::vector<const GroundPath*> pathsOf(const Project& p) {
+std::vector<const GroundPath*> groundPathsOf(const Project& p) {
     std::vector<const GroundPath*> out;
     for (const auto& [name, e] : p.entities)
         if (const GroundPath* path = p.registry.get<GroundPath>(e)) out.push_back(path);
@@ -66,7 +66,7 @@ KeepOff keepOffOf(const Project& p, const Ground& ground, const Scatter& s, Foot
     if (!ground.terrain) return off;
     off.gap = static_cast<double>(s.gap);
     if (s.keepOffPaths)
-        for (const GroundPath* path : pathsOf(p)) {
+        for (const GroundPath* path : groundPathsOf(p)) {
             KeepOff::Strip strip{groundCurve(*path), static_cast<double>(path->width) / 2 + off.gap, {}};
             strip.box = boxOf(strip.curve, strip.half);
             if (!strip.curve.pieces.empty()) off.paths.push_back(std::move(strip));
@@ -92,7 +92,7 @@ std::string keepOffInputs(const Project& p, const Ground& ground, const Scatter&
     if (!ground.terrain || !keepsOff(s)) return {};
     std::string text = fmt::format("{}", s.gap);
     if (s.keepOffPaths)
-        for (const GroundPath* path : pathsOf(p)) {
+        for (const GroundPath* path : groundPathsOf(p)) {
             text += fmt::format("|{} {}", path->width, path->closed);
             for (const PathPoint& point : path->points) text += fmt::format(" {} {}", point.at.x, point.at.y);
         }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/jobs.h"
 #include "core/numerics.h"
@@ -16,8 +15,6 @@
 
 namespace sward {
 namespace {
-
-constexpr float kInf = std::numeric_limits<float>::infinity();
 
 // --- slope, height -------------------------------------------------------------------------------------------------
 // Two places a texel to either side, within the texels of a map that ends at the terrain's edge.
@@ -123,7 +120,7 @@ float waterDistance(const WaterDistances& w, double x, double z) {
     };
     const float d = f32::bilinearMix(at(t.x0, t.y0), at(t.x1, t.y0), at(t.x0, t.y1), at(t.x1, t.y1),
                                      static_cast<float>(t.fx), static_cast<float>(t.fy));
-    return std::isfinite(d) ? std::max(d - static_cast<float>(w.cell / 2), 0.0f) : kInf;
+    return std::isfinite(d) ? std::max(d - static_cast<float>(w.cell / 2), 0.0f) : INFINITY;
 }
 
 Result<Measure> measureWater(MaskScene& scene, const MapMask&) {
@@ -174,7 +171,7 @@ Result<std::shared_ptr<const Footprint>> outlineOf(MaskScene& scene, const std::
     const Result<Mesh> read = readMesh(scene.project->dir, mesh.file);
     if (!read) return read.error();
     held = {std::move(of),
-            std::make_shared<const Footprint>(makeFootprint(*read, glm::mat3(rotationOf(mesh.rotationDeg)), kInf))};
+            std::make_shared<const Footprint>(makeFootprint(*read, glm::mat3(rotationOf(mesh.rotationDeg)), INFINITY))};
     return held.footprint;
 }
 

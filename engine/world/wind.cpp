@@ -7,7 +7,7 @@
 namespace sward {
 namespace {
 
-constexpr int kSide = 128;
+constexpr int kGustTexels = 128;
 constexpr double kFiner = 4;         // fine gusts are so much smaller
 constexpr double kAcross = 0.5;      // gusts are bands: twice as wide as they are long
 constexpr double kOvertakes = 1.4;   // fine gusts go faster, so that the picture changes while it moves
@@ -53,11 +53,11 @@ const Wind* windOf(const Project& p) {
 }
 
 Map makeGusts() {
-    Map m(MapInfo{kSide, kSide, 1, PixelType::U16});
-    for (int y = 0; y < kSide; ++y)
-        for (int x = 0; x < kSide; ++x) {
+    Map m(MapInfo{kGustTexels, kGustTexels, 1, PixelType::U16});
+    for (int y = 0; y < kGustTexels; ++y)
+        for (int x = 0; x < kGustTexels; ++x) {
             const auto octave = [&](int cells, uint32_t seed) {
-                const float scale = static_cast<float>(cells) / kSide;
+                const float scale = static_cast<float>(cells) / kGustTexels;
                 return periodicNoise((static_cast<float>(x) + 0.5f) * scale, (static_cast<float>(y) + 0.5f) * scale,
                                      cells, seed);
             };

@@ -13,29 +13,29 @@ namespace {
 namespace fs = std::filesystem;
 using test::TempDir;
 
-void put(const fs::path& file) {
+void touch(const fs::path& file) {
     fs::create_directories(file.parent_path());
     std::ofstream(file) << "x";
 }
 
 TEST(Resources, LieInShareBesideAnInstalledProgram) {
     const TempDir dir;
-    put(dir / "usr/bin/sward");
-    put(dir / "usr/share/sward/shaders/lib/light.glsl");
+    touch(dir / "usr/bin/sward");
+    touch(dir / "usr/share/sward/shaders/lib/light.glsl");
     EXPECT_EQ(resourceOf(dir / "usr/bin/sward", "/nowhere", "shaders"), fs::canonical(dir / "usr/share/sward/shaders"));
 }
 
 TEST(Resources, LieInTheCheckoutThatAProgramWasBuiltIn) {
     const TempDir dir;
-    put(dir / "tree/build/release/sward");
-    put(dir / "tree/projects/lawn/project.json");
+    touch(dir / "tree/build/release/sward");
+    touch(dir / "tree/projects/lawn/project.json");
     EXPECT_EQ(resourceOf(dir / "tree/build/release/sward", "/nowhere", "projects"),
               fs::canonical(dir / "tree/projects"));
 }
 
 TEST(Resources, AreSaidToLieInTheSourceTreeWhenTheyAreNowhere) {
     const TempDir dir;
-    put(dir / "alone/sward");
+    touch(dir / "alone/sward");
     EXPECT_EQ(resourceOf(dir / "alone/sward", "/source", "shaders"), fs::path("/source/shaders"));
     EXPECT_EQ(resourceOf({}, "/source", "shaders"), fs::path("/source/shaders"));
     EXPECT_TRUE(fs::is_directory(resource("shaders/numerics"))) << "of this very program";

@@ -48,7 +48,7 @@ Project gap(bool together) {
     return p;
 }
 
-double meanGreen(const std::vector<float>& image) {
+double greenOf(const std::vector<float>& image) {
     double sum = 0;
     for (size_t i = 1; i < image.size(); i += 3) sum += static_cast<double>(image[i]);
     return sum / static_cast<double>(image.size() / 3);
@@ -58,7 +58,7 @@ double drawnGap(Project p, Technique technique) {
         p.registry.get<GrassField>(findEntity(p, name))->technique = nameOf(technique);
     Renderer r(gpu(), tables());
     EXPECT_TRUE(r.draw(p, kIntoTheGap, sized(kPixels, kPixels)));
-    return meanGreen(r.readLinear());
+    return greenOf(r.readLinear());
 }
 
 TEST(AmongGl, AGapInTallGrassIsAsDarkAsInTheTruth) {
@@ -69,7 +69,7 @@ TEST(AmongGl, AGapInTallGrassIsAsDarkAsInTheTruth) {
     ASSERT_TRUE(scene) << scene.error().text();
     ReferenceSettings s;
     s.width = s.height = kPixels, s.samples = 32;
-    const double truth = meanGreen(scene->trace(kIntoTheGap, s, control)->color);
+    const double truth = greenOf(scene->trace(kIntoTheGap, s, control)->color);
     for (const Technique t : {Technique::Geometry, Technique::Tessellated}) {
         const double together = drawnGap(gap(true), t), apart = drawnGap(gap(false), t);
         printf("%-12s %.4f, truth %.4f; of two fields, which do not shade each other, %.4f\n", nameOf(t), together,

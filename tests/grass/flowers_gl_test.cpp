@@ -12,7 +12,7 @@
 namespace sward::test {
 namespace {
 
-constexpr int kWidth = 120, kHeight = 90;
+constexpr int kBedWidth = 120, kBedHeight = 90;
 
 // Black ground under red flowers with red stems, so that red is what they cover.
 Project bed() {
@@ -35,7 +35,7 @@ Flowers& flowersIn(Project& p) { return *p.registry.get<Flowers>(findEntity(p, "
 ViewCamera over() { return {{6, 2.2, 1}, {6, 0, 5}, 50, 0}; }
 ViewSettings settings() {
     ViewSettings s;
-    s.width = kWidth, s.height = kHeight;
+    s.width = kBedWidth, s.height = kBedHeight;
     return s;
 }
 std::vector<float> drawn(Project& p, const ViewCamera& c = over()) {
@@ -59,19 +59,19 @@ TEST(Flowers, CoverAsMuchAsInTheRayTracedTruth) {
     auto scene = ReferenceScene::make(p, tables(), 0, control);
     ASSERT_TRUE(scene);
     ReferenceSettings s;
-    s.width = kWidth, s.height = kHeight, s.samples = 32, s.lighting = ReferenceLighting::Direct;
+    s.width = kBedWidth, s.height = kBedHeight, s.samples = 32, s.lighting = ReferenceLighting::Direct;
     const auto truth = scene->trace(over(), s, control);
     ASSERT_TRUE(truth);
     const std::vector<float> picture = drawn(p);
     EXPECT_GT(meanRed(truth->color), 0.02);
     EXPECT_NEAR(meanRed(picture) / meanRed(truth->color), 1, 0.06);
     // And at the same places: of blocks of 10 x 10 pixels.
-    for (int by = 0; by + 30 <= kHeight; by += 30)
-        for (int bx = 0; bx + 30 <= kWidth; bx += 30) {
+    for (int by = 0; by + 30 <= kBedHeight; by += 30)
+        for (int bx = 0; bx + 30 <= kBedWidth; bx += 30) {
             double a = 0, b = 0;
             for (int y = by; y < by + 30; ++y)
                 for (int x = bx; x < bx + 30; ++x) {
-                    const size_t i = 3 * (static_cast<size_t>(y) * kWidth + static_cast<size_t>(x));
+                    const size_t i = 3 * (static_cast<size_t>(y) * kBedWidth + static_cast<size_t>(x));
                     a += static_cast<double>(picture[i]), b += static_cast<double>(truth->color[i]);
                 }
             EXPECT_NEAR(a / 900, b / 900, 0.03 + 0.15 * b / 900) << bx << " " << by;
@@ -131,7 +131,7 @@ TEST(Flowers, StandAmongTheGrassOfTheirOwnEntity) {
         auto of = ReferenceScene::make(scene(which), tables(), 0, control);
         EXPECT_TRUE(of);
         ReferenceSettings s;
-        s.width = kWidth, s.height = kHeight, s.samples = 8, s.lighting = ReferenceLighting::Direct;
+        s.width = kBedWidth, s.height = kBedHeight, s.samples = 8, s.lighting = ReferenceLighting::Direct;
         return meanRed(of->trace(over(), s, control)->color);
     };
     const double standing = drawnRed(Pressed::None), stands = tracedRed(Pressed::None);

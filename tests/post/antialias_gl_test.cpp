@@ -59,7 +59,7 @@ Truth traced(const Project& p, const ViewCamera& camera, double time) {
     return std::move(*truth);
 }
 
-Project lawnBy(Technique t) {
+Project plainLawnBy(Technique t) {
     Project p = lawn();
     FlatField f = flatField(p, "grass");
     f.technique = nameOf(t);
@@ -91,7 +91,7 @@ Pixels meanOf(const Project& p, const ViewCamera& c, int n, int msaa, double tim
 TEST(Antialias, AtRestSixteenFramesAreAsGoodAsSixteenSamples) {
     NoGlErrors errors;
     for (const Technique t : {Technique::Geometry, Technique::Tessellated, Technique::Hybrid, Technique::Raytraced}) {
-        Project p = lawnBy(t);
+        Project p = plainLawnBy(t);
         const Truth truth = traced(p, eyeHeight(), 0);
         Renderer one(gpu(), tables());
         const double single = distance(drawn(one, p, eyeHeight(), samples(1)), truth),
@@ -113,30 +113,30 @@ TEST(Antialias, AtRestSixteenFramesAreAsGoodAsSixteenSamples) {
 
 // --- what moves ------------------------------------------------------------------------------------------------------
 // Frames up to one at `time` from a camera, each a step along `way` after the one before.
-struct Film {
+struct Walk {
     ViewCamera last;
     glm::dvec3 way{0};  // metres a frame
     double time = 2;
     int frames = 18;
     double seconds = kFrame;  // a frame
 };
-ViewSettings settingsAt(const Film& f, int before, int msaa) {
+ViewSettings settingsAt(const Walk& f, int before, int msaa) {
     ViewSettings s = samples(msaa);
     s.time = f.time - f.seconds * before;
     return s;
 }
-ViewCamera cameraAt(const Film& f, int before) {
+ViewCamera cameraAt(const Walk& f, int before) {
     ViewCamera c = f.last;
     c.eye -= f.way * static_cast<double>(before), c.target -= f.way * static_cast<double>(before);
     return c;
 }
-Pixels lastOf(const Film& f, Renderer& r, const Project& p) {
+Pixels lastOf(const Walk& f, Renderer& r, const Project& p) {
     for (int before = f.frames - 1; before >= 0; --before)
         EXPECT_TRUE(r.draw(p, cameraAt(f, before), settingsAt(f, before, 4)));
     return r.readLinear();
 }
 // The plain mean of the last frames, wherever things went meanwhile: what trails.
-Pixels smeared(const Film& f, const Project& p) {
+Pixels smeared(const Walk& f, const Project& p) {
     Renderer r(gpu(), tables());
     Pixels sum(size_t{kAcross} * kDown * 3, 0);
     for (int before = 15; before >= 0; --before) {
@@ -233,7 +233,7 @@ TEST(Antialias, NothingTrailsBehindAnEdgeThatAWalkerPasses) {
     p.registry.remove<GrassField>(findEntity(p, "grass"));
     p.dir = dir.path;
     putObject(p, "post", {{.color = {0.01f, 0.01f, 0.01f}}}, {10, 0, 4});
-    const Film aside{{{10, 1.2, 0}, {10, 0.9, 10}, 55, 0}, {kStep, 0, 0}};
+    const Walk aside{{{10, 1.2, 0}, {10, 0.9, 10}, 55, 0}, {kStep, 0, 0}};
     const Pixels truth = meanOf(p, aside.last, 4, 4, aside.time);
     const auto [low, high] = std::minmax_element(truth.begin(), truth.end());
     const double contrast = static_cast<double>(*high - *low) / 2;
@@ -266,12 +266,12 @@ struct Unmoved {
 TEST(Antialias, BladesAreFollowedByTheirOwnWind) {
     NoGlErrors errors;
     for (const Technique t : {Technique::Geometry, Technique::Tessellated, Technique::Slices, Technique::Raytraced}) {
-        Project p = lawnBy(t);
+        Project p = plainLawnBy(t);
         FlatField f = flatField(p, "grass");
         f.species[0].height = 0.5f;
         f.species[0].bladesPerM2 = 60;
         put<Wind>(p, "wind").strength = 1;
-        const Film stands{.last = {{10, 0.9, 9}, {10, 0.25, 11}, 20, 0}, .seconds = 1.0 / 15};
+        const Walk stands{.last = {{10, 0.9, 9}, {10, 0.25, 11}, 20, 0}, .seconds = 1.0 / 15};
         const Pixels truth = meanOf(p, stands.last, 3, 4, stands.time);
         setAntialias(p, Antialiasing::Temporal);
         Renderer r(gpu(), tables());
@@ -294,9 +294,9 @@ TEST(Antialias, BladesAreFollowedByTheirOwnWind) {
 
 TEST(Antialias, WalkingInWindBeatsTheSamplesOfOneFrame) {
     NoGlErrors errors;
-    Project p = lawnBy(Technique::Geometry);
+    Project p = plainLawnBy(Technique::Geometry);
     put<Wind>(p, "wind");
-    const Film walk{eyeHeight(), glm::normalize(glm::dvec3(1, 0, 1)) * kStep};
+    const Walk walk{eyeHeight(), glm::normalize(glm::dvec3(1, 0, 1)) * kStep};
     const Truth truth = traced(p, walk.last, walk.time);
     Renderer plain(gpu(), tables());
     const double one = distance(drawn(plain, p, walk.last, settingsAt(walk, 0, 1)), truth),
@@ -314,8 +314,8 @@ TEST(Antialias, WalkingInWindBeatsTheSamplesOfOneFrame) {
 TEST(Antialias, NearBladesStaySharpForWhoWalksLowOverThem) {
     NoGlErrors errors;
     const ViewCamera low{{10, 0.25, 6}, {10, 0.1, 16}, 55, 0};
-    const Film walk{low, {0, 0, kStep}};
-    Project p = lawnBy(Technique::Hybrid);
+    const Walk walk{low, {0, 0, kStep}};
+    Project p = plainLawnBy(Technique::Hybrid);
     FlatField f = flatField(p, "grass");
     f.minGeom = 1.5f, f.maxGeom = 3.5f;
     f.species[0].height = 0.05f, f.species[0].width = 0.006f, f.species[0].bladesPerM2 = 8000;
@@ -361,7 +361,7 @@ TEST(Antialias, LeavesNoTraceWhereItIsNotAskedFor) {
 
 TEST(Antialias, PiecesAndFalseColoursTakeTheirSamplesInOneFrame) {
     NoGlErrors errors;
-    Project p = lawnBy(Technique::Hybrid);
+    Project p = plainLawnBy(Technique::Hybrid);
     ViewSettings piece = small(), tiers = small();
     piece.width = 80, piece.part = {80, 0, 160, 120};
     tiers.mode = ViewMode::Tiers;
@@ -379,7 +379,7 @@ TEST(Antialias, PiecesAndFalseColoursTakeTheirSamplesInOneFrame) {
 
 TEST(Antialias, BegunAnewAPictureHoldsNothingOfTheOneBefore) {
     NoGlErrors errors;
-    Project p = lawnBy(Technique::Geometry), other = lawnBy(Technique::Flat);
+    Project p = plainLawnBy(Technique::Geometry), other = plainLawnBy(Technique::Flat);
     for (Project* of : {&p, &other}) setAntialias(*of, Antialiasing::Temporal);
     Renderer fresh(gpu(), tables()), used(gpu(), tables());
     ASSERT_TRUE(drawSettled(fresh, p, eyeHeight(), small()));

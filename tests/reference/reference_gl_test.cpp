@@ -12,9 +12,10 @@
 namespace sward::test {
 namespace {
 
-constexpr int kWidth = 96, kHeight = 72;
+constexpr int kTracedWidth = 96, kTracedHeight = 72;
 constexpr int kSamples = 256;
-constexpr int kFiner = 8;  // the technique's picture is drawn so much larger each way, and averaged in linear light
+constexpr int kTimesFiner =
+    8;  // the technique's picture is drawn so much larger each way, and averaged in linear light
 
 // 4 x 4 m of blades wider than two pixels. Their image is one opaque texel: a finer one's mipmaps are a sampling error
 // of the technique's own, which goes as its pictures get finer.
@@ -46,22 +47,22 @@ ViewCamera beside() { return {{2, 1.5, 0.4}, {2, 0.1, 2}, 50, 0}; }
 std::vector<float> drawnFine(Project& p, const ViewCamera& c) {
     Renderer r(gpu(), tables());
     ViewSettings s;
-    s.width = kFiner * kWidth, s.height = kFiner * kHeight;
+    s.width = kTimesFiner * kTracedWidth, s.height = kTimesFiner * kTracedHeight;
     EXPECT_TRUE(r.draw(p, c, s));
     const std::vector<float> fine = r.readLinear();
-    std::vector<float> out(3 * kWidth * kHeight);
-    for (size_t y = 0; y < kFiner * kHeight; ++y)
-        for (size_t x = 0; x < kFiner * kWidth; ++x)
+    std::vector<float> out(3 * kTracedWidth * kTracedHeight);
+    for (size_t y = 0; y < kTimesFiner * kTracedHeight; ++y)
+        for (size_t x = 0; x < kTimesFiner * kTracedWidth; ++x)
             for (size_t k = 0; k < 3; ++k)
-                out[3 * (y / kFiner * kWidth + x / kFiner) + k] +=
-                    fine[3 * (y * kFiner * kWidth + x) + k] / (kFiner * kFiner);
+                out[3 * (y / kTimesFiner * kTracedWidth + x / kTimesFiner) + k] +=
+                    fine[3 * (y * kTimesFiner * kTracedWidth + x) + k] / (kTimesFiner * kTimesFiner);
     return out;
 }
 Truth traced(const Project& p, const ViewCamera& c, int samples) {
     JobControl control;
     auto scene = ReferenceScene::make(p, tables(), 0, control);
     ReferenceSettings s;
-    s.width = kWidth, s.height = kHeight, s.samples = samples, s.lighting = ReferenceLighting::Direct;
+    s.width = kTracedWidth, s.height = kTracedHeight, s.samples = samples, s.lighting = ReferenceLighting::Direct;
     auto t = scene->trace(c, s, control);
     EXPECT_TRUE(t);
     return *t;
@@ -81,12 +82,12 @@ Agreement compare(const std::vector<float>& drawn, const Truth& t) {
         a.grass += static_cast<double>(t.grass[i]) / static_cast<double>(t.grass.size());
     }
     a.rmse = std::sqrt(a.rmse);
-    for (size_t y = 0; y + 8 <= kHeight; y += 8)
-        for (size_t x = 0; x + 8 <= kWidth; x += 8)
+    for (size_t y = 0; y + 8 <= kTracedHeight; y += 8)
+        for (size_t x = 0; x + 8 <= kTracedWidth; x += 8)
             for (size_t k = 0; k < 3; ++k) {
                 double difference = 0, variance = 0, mean = 0;
                 for (size_t j = 0; j < 64; ++j) {
-                    const size_t i = 3 * ((y + j / 8) * kWidth + x + j % 8) + k;
+                    const size_t i = 3 * ((y + j / 8) * kTracedWidth + x + j % 8) + k;
                     difference += static_cast<double>(drawn[i] - t.color[i]) / 64;
                     mean += static_cast<double>(t.color[i]) / 64;
                     // The drawn picture has sixteen times four samples of its own a pixel: an error of its own of that
@@ -107,8 +108,8 @@ TEST(ReferenceAgreement, GeometryIsTheTruthInDirectLight) {
     const std::vector<float> drawn = drawnFine(p, beside());
     if (const char* out = std::getenv("SWARD_WRITE_PICTURES")) {
         const Truth t = traced(p, beside(), kSamples);
-        EXPECT_TRUE(writeImageExr(std::string(out) + "/drawn.exr", kWidth, kHeight, 3, drawn) &&
-                    writeImageExr(std::string(out) + "/truth.exr", kWidth, kHeight, 3, t.color));
+        EXPECT_TRUE(writeImageExr(std::string(out) + "/drawn.exr", kTracedWidth, kTracedHeight, 3, drawn) &&
+                    writeImageExr(std::string(out) + "/truth.exr", kTracedWidth, kTracedHeight, 3, t.color));
     }
     const Agreement a = compare(drawn, traced(p, beside(), kSamples));
     std::printf("rmse %.5f, worst block %.2f standard errors, %.0f%% grass\n", a.rmse, a.worstBlock, 100 * a.grass);

@@ -11,7 +11,7 @@
 namespace sward::test {
 namespace {
 
-TracedSpec dense() {
+TracedSpec denseSpec() {
     TracedSpec spec;
     Species& s = spec.species.species;
     s.name = "dense", s.bladesPerM2 = 8000, s.height = 0.08f, s.width = 0.004f;
@@ -21,7 +21,7 @@ TracedSpec dense() {
     return spec;
 }
 TracedSpec coloured(float reflectance, float translucency) {
-    TracedSpec spec = dense();
+    TracedSpec spec = denseSpec();
     Species& s = spec.species.species;
     s.rootColor = s.midColor = s.tipColor = glm::vec3(reflectance);
     s.hueVariationDeg = s.lightnessVariation = 0;
@@ -124,7 +124,7 @@ TEST(TracedLightOf, LeaningGrassIsTracedWhereItIsAskedForAndTellsWhichWayItLeans
 }
 
 TEST(TracedLightOf, IsTheSameEachTime) {
-    const TracedTable a = tableOf(dense(), 48), b = tableOf(dense(), 48);
+    const TracedTable a = tableOf(denseSpec(), 48), b = tableOf(denseSpec(), 48);
     for (size_t view = 0; view < kTracedViews; ++view) {
         EXPECT_EQ(a.sky[view].full, b.sky[view].full);
         for (size_t i = 0; i < a.direct[view].size(); ++i) EXPECT_EQ(a.direct[view][i].full, b.direct[view][i].full);
@@ -163,7 +163,7 @@ TEST(TracedLightOf, ATableThatIsAPolynomialIsFittedByIt) {
 
 TEST(TracedLightOf, IsKeptAndADamagedFileIsMadeAnew) {
     const TempDir folder;
-    TracedSpec spec = dense();
+    TracedSpec spec = denseSpec();
     spec.species.species.bladesPerM2 = 400;  // it is the sooner made
     JobControl control;
     const auto made = tracedLight(folder.path, spec, control);
@@ -209,7 +209,7 @@ TEST(TracedLightOf, EndsWhenItIsCancelled) {
     const TempDir folder;
     JobControl control;
     control.cancel();
-    EXPECT_FALSE(tracedLight(folder.path, dense(), control));
+    EXPECT_FALSE(tracedLight(folder.path, denseSpec(), control));
     EXPECT_TRUE(std::filesystem::is_empty(folder.path));
 }
 

@@ -6,7 +6,7 @@ namespace sward {
 namespace {
 
 // Everything is in view.
-Frustum everywhere() {
+Frustum everySide() {
     Frustum f;
     f.planes.fill(glm::vec4(0, 0, 0, 1));
     return f;
@@ -40,7 +40,7 @@ TEST(TerrainLod, EveryPointOfTheGroundIsInExactlyOneNode) {
     updateHeightBounds(bounds, t);
     for (const glm::dvec3 eye :
          {glm::dvec3(150, 3, 150), glm::dvec3(-40, 30, 10), glm::dvec3(0, 2, 0), glm::dvec3(299, 200, 150)}) {
-        const auto nodes = selectNodes(t, terrainLod(t), bounds, eye, everywhere());
+        const auto nodes = selectNodes(t, terrainLod(t), bounds, eye, everySide());
         for (double x = 0.3; x < 300; x += 7.7)
             for (double z = 0.3; z < 300; z += 7.7) ASSERT_EQ(covering(nodes, x, z), 1) << x << " " << z;
     }
@@ -53,7 +53,7 @@ TEST(TerrainLod, VerticesAgreeWhereLevelsMeet) {
     updateHeightBounds(bounds, t);
     int borders = 0;
     for (const glm::dvec3 eye : {glm::dvec3(150, 3, 150), glm::dvec3(20, 40, 70)}) {
-        const auto nodes = selectNodes(t, terrainLod(t), bounds, eye, everywhere());
+        const auto nodes = selectNodes(t, terrainLod(t), bounds, eye, everySide());
         const double above = std::max(eye.y - bounds.high, 0.0);
         const auto morph = [&](const TerrainNode& n, double x, double z) {
             const double d = std::sqrt((x - eye.x) * (x - eye.x) + (z - eye.z) * (z - eye.z) + above * above);
@@ -80,7 +80,7 @@ TEST(TerrainLod, LevelGroundIsFourNodesWhateverItsSize) {
     for (const double size : {3.0, 40.0, 1000.0, 25000.0}) {
         Terrain t;
         t.size = {size, 0.7 * size};
-        EXPECT_EQ(selectNodes(t, terrainLod(t), {}, {0.3 * size, 1.7, 0.3 * size}, everywhere()).size(), 4u) << size;
+        EXPECT_EQ(selectNodes(t, terrainLod(t), {}, {0.3 * size, 1.7, 0.3 * size}, everySide()).size(), 4u) << size;
     }
 }
 
@@ -95,9 +95,9 @@ TEST(TerrainLod, LandThatIsAPlaneToTheEyeTakesFewNodes) {
         updateHeightBounds(bounds, t);
         TerrainLod lod = terrainLod(t);
         const glm::dvec3 eye(150, 3, 150);
-        const auto fine = selectNodes(t, lod, bounds, eye, everywhere());
+        const auto fine = selectNodes(t, lod, bounds, eye, everySide());
         lod.plainFrom = 1500;
-        const auto nodes = selectNodes(t, lod, bounds, eye, everywhere());
+        const auto nodes = selectNodes(t, lod, bounds, eye, everySide());
         all[i] = fine.size(), few[i] = nodes.size();
         for (double x = 0.3; x < t.size.x; x += t.size.x / 61)
             for (double z = 0.3; z < t.size.y; z += t.size.y / 67) ASSERT_EQ(covering(nodes, x, z), 1) << x << " " << z;
@@ -125,7 +125,7 @@ TEST(TerrainLod, LandThatHazeHidesIsNotDrawn) {
         updateHeightBounds(bounds, t);
         TerrainLod lod = terrainLod(t);
         lod.hidden = hidden;
-        return selectNodes(t, lod, bounds, {1200, 10, 1200}, everywhere());
+        return selectNodes(t, lod, bounds, {1200, 10, 1200}, everySide());
     };
     const auto far = [](const TerrainNode& n) {
         const double side = kNodeQuads * static_cast<double>(n.spacing);

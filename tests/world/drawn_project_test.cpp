@@ -18,7 +18,7 @@ GroundPath across(float width, float falloff, double z = 10) {
     return p;
 }
 const Species& speciesOf(const Project& p) { return firstOf<GrassField>(p)->species[0]; }
-MapField painted(float value, int side = 256) { return field(filled({side, side, 1, PixelType::U16}, value)); }
+MapField paintedOver(float value, int side = 256) { return field(filled({side, side, 1, PixelType::U16}, value)); }
 
 TEST(DrawnProject, WithoutPathsItIsTheProjectItself) {
     Project p = lawn();
@@ -40,14 +40,14 @@ TEST(DrawnProject, APathClearsTheBladesOfItsArea) {
 }
 TEST(DrawnProject, FalloffThinsHalfOfWhatItCovers) {
     Project p = lawn();
-    p.registry.get<GrassField>(findEntity(p, "grass"))->species[0].density = painted(0.5f);
+    p.registry.get<GrassField>(findEntity(p, "grass"))->species[0].density = paintedOver(0.5f);
     const double all = virtualBlades(p);
     put(p, "way", across(2, 1.5f));
     EXPECT_NEAR(virtualBlades(DrawnProject().of(p, rows())), all - 0.5 * 200 * 20 * (2 + 1.5), 0.005 * 7000);
 }
 TEST(DrawnProject, GrassAboveNothingRaisesDensityAndZeroLeavesIt) {
     Project p = lawn();
-    p.registry.get<GrassField>(findEntity(p, "grass"))->species[0].density = painted(0.25f);
+    p.registry.get<GrassField>(findEntity(p, "grass"))->species[0].density = paintedOver(0.25f);
     const double all = virtualBlades(p);
     GroundPath path = across(2, 0);
     path.grass = 1;
@@ -63,7 +63,7 @@ TEST(DrawnProject, GrassAboveNothingRaisesDensityAndZeroLeavesIt) {
 }
 TEST(DrawnProject, APathNarrowerThanTexelsIsAnEvenLine) {
     Project p = lawn();
-    p.registry.get<GrassField>(findEntity(p, "grass"))->species[0].density = painted(1, 20);  // of a metre
+    p.registry.get<GrassField>(findEntity(p, "grass"))->species[0].density = paintedOver(1, 20);  // of a metre
     for (const double z : {10.0, 10.1, 10.3, 10.5, 10.9}) {
         put(p, "way", across(0.5f, 0, z));
         EXPECT_NEAR(virtualBlades(DrawnProject().of(p, rows())), 200 * (400 - 20 * 0.5), 200 * 20 * 0.13) << z;
@@ -79,7 +79,8 @@ TEST(DrawnProject, PathsActOneAfterTheOther) {
 }
 TEST(DrawnProject, TilesThatNoPathReachesAreThePaintedOnes) {
     Project p = lawn();
-    p.registry.get<GrassField>(findEntity(p, "grass"))->species[0].density = painted(0.5f, 512);  // 4 x 4 tiles of 5 m
+    p.registry.get<GrassField>(findEntity(p, "grass"))->species[0].density =
+        paintedOver(0.5f, 512);  // 4 x 4 tiles of 5 m
     put(p, "way", across(1, 0.5f, 2));
     DrawnProject drawn;
     const Map first = speciesOf(drawn.of(p, rows())).density.map;
@@ -93,7 +94,7 @@ TEST(DrawnProject, TilesThatNoPathReachesAreThePaintedOnes) {
 TEST(DrawnProject, AMovedPathLeavesNothingBehindAndPaintShowsThrough) {
     Project p = lawn();
     GrassField& grass = *p.registry.get<GrassField>(findEntity(p, "grass"));
-    grass.species[0].density = painted(0.5f, 512);
+    grass.species[0].density = paintedOver(0.5f, 512);
     DrawnProject drawn;
     put(p, "way", across(1, 0.5f, 2));
     drawn.of(p, rows());
@@ -111,7 +112,7 @@ TEST(DrawnProject, AMovedPathLeavesNothingBehindAndPaintShowsThrough) {
 }
 TEST(DrawnProject, OnePointMovedMakesOnlyItsSurroundingsAnew) {
     Project p = lawn();
-    p.registry.get<GrassField>(findEntity(p, "grass"))->species[0].density = painted(0.5f, 512);
+    p.registry.get<GrassField>(findEntity(p, "grass"))->species[0].density = paintedOver(0.5f, 512);
     GroundPath path = across(1, 0.5f);
     path.points = {{"", {1, 2}}, {"", {5.5, 2}}, {"", {11, 2}}, {"", {14, 2}}, {"", {19, 2}}};
     put(p, "way", path);
@@ -128,7 +129,7 @@ TEST(DrawnProject, OnePointMovedMakesOnlyItsSurroundingsAnew) {
 TEST(DrawnProject, AMapThatRepeatsIsLaidOutBeforeThePathIsCut) {
     Project p = lawn();
     Species& s = p.registry.get<GrassField>(findEntity(p, "grass"))->species[0];
-    s.density = painted(1, 64);
+    s.density = paintedOver(1, 64);
     for (int y = 0; y < 64; ++y)
         for (int x = 0; x < 32; ++x) s.density.map.set(x, y, 0, 0);  // stripes: half of it bare
     s.densityTiling = 4;
@@ -147,7 +148,7 @@ TEST(DrawnProject, AMapThatRepeatsIsLaidOutBeforeThePathIsCut) {
 TEST(DrawnProject, AMapThatRepeatsTooOftenIsLeftAloneAndNamed) {
     Project p = lawn();
     Species& s = p.registry.get<GrassField>(findEntity(p, "grass"))->species[0];
-    s.density = painted(1, 64);
+    s.density = paintedOver(1, 64);
     s.densityTiling = 64;
     put(p, "way", across(2, 0));
     EXPECT_TRUE(mapsBeyondPaths(p, rows()).empty()) << "4096 texels";
@@ -177,7 +178,7 @@ TEST(DrawnProject, OnATerrainWithAMapSizeThePathLiesWhereItsPointsAre) {
 TEST(DrawnProject, FlowersGiveWayBesideGrass) {
     Project p = lawn();
     Flowers flowers;
-    flowers.density = painted(0.5f);
+    flowers.density = paintedOver(0.5f);
     put(p, "daisies", flowers);
     GroundPath path = across(2, 0);
     path.grass = 0, path.flowers = -1;

@@ -12,10 +12,10 @@
 namespace sward {
 namespace {
 
-struct Field {
+struct ScatteredField {
     Terrain terrain;
     Scatter rule;
-    Field() {
+    ScatteredField() {
         terrain.size = {200, 100};
         rule.meshes = {{"stone", "stone.glb", 1}};
         rule.perHectare = 400;
@@ -42,7 +42,7 @@ double nearest(const Scattering& s) {
 }
 
 TEST(Scatter, WithoutADistanceItIsTheDensityTimesTheArea) {
-    const Scattering s = Field().all();
+    const Scattering s = ScatteredField().all();
     EXPECT_NEAR(static_cast<double>(s.objects.size()), 800, 4 * std::sqrt(800.0));
     EXPECT_NEAR(s.asked, 800, 4 * std::sqrt(800.0));
     for (const ScatteredObject& o : s.objects) {
@@ -55,7 +55,7 @@ TEST(Scatter, WithoutADistanceItIsTheDensityTimesTheArea) {
 }
 
 TEST(Scatter, TheDistanceHoldsAndTheNumberIsTheOneAskedFor) {
-    Field f;
+    ScatteredField f;
     for (const float share : {0.2f, 0.6f, 0.95f}) {  // of the densest
         f.rule.distance = 2;
         f.rule.perHectare = static_cast<float>(kDensestScatter / 4 * 1e4) * share;
@@ -67,7 +67,7 @@ TEST(Scatter, TheDistanceHoldsAndTheNumberIsTheOneAskedFor) {
 }
 
 TEST(Scatter, WhatDoesNotFitIsLeftOutAndCounted) {
-    Field f;
+    ScatteredField f;
     f.rule.distance = 4;
     f.rule.perHectare = 2000;
     const Scattering s = f.all();
@@ -82,7 +82,7 @@ TEST(Scatter, WhatDoesNotFitIsLeftOutAndCounted) {
 }
 
 TEST(Scatter, NoPlaceIsFavoured) {
-    Field f;
+    ScatteredField f;
     f.rule.distance = 1.5f;
     f.rule.perHectare = 1000;
     std::vector<int> columns(10), phases(10);
@@ -101,7 +101,7 @@ TEST(Scatter, NoPlaceIsFavoured) {
 }
 
 TEST(Scatter, TheSameTwiceAndAnotherSeedIsAnother) {
-    Field f;
+    ScatteredField f;
     f.rule.distance = 2;
     EXPECT_EQ(f.all().hash, f.all().hash);
     const uint64_t first = f.all().hash;
@@ -110,7 +110,7 @@ TEST(Scatter, TheSameTwiceAndAnotherSeedIsAnother) {
 }
 
 TEST(Scatter, RangesHold) {
-    Field f;
+    ScatteredField f;
     f.heights([](int x, int y) { return 6 * std::sin(0.3f * static_cast<float>(x)) + 0.1f * static_cast<float>(y); });
     f.rule.slopeDeg = {5, 20}, f.rule.heights = {0, 6};
     f.rule.size = {0.5, 0.7}, f.rule.headingDeg = {30, 60};
@@ -136,7 +136,7 @@ TEST(Scatter, RangesHold) {
 }
 
 TEST(Scatter, TheyLeanAsTheGroundWhereTheyAreTold) {
-    Field f;
+    ScatteredField f;
     f.heights([](int x, int) { return static_cast<float>(x); });
     f.rule.alignToGround = 1;
     const Scattering s = f.all();
@@ -149,7 +149,7 @@ TEST(Scatter, TheyLeanAsTheGroundWhereTheyAreTold) {
 }
 
 TEST(Scatter, SharesAndTheDensityMapDecide) {
-    Field f;
+    ScatteredField f;
     f.rule.meshes = {{"a", "a.glb", 3}, {"none", "", 5}, {"b", "b.glb", 1}};
     f.rule.distance = 1;
     Map m({64, 64, 1, PixelType::U16});
@@ -170,7 +170,7 @@ TEST(Scatter, SharesAndTheDensityMapDecide) {
 }
 
 TEST(Scatter, AnEditOfTheGroundMovesOnlyWhatStandsThere) {
-    Field f;
+    ScatteredField f;
     f.heights([](int, int) { return 1.0f; });
     f.rule.distance = 3, f.rule.perHectare = 500, f.rule.slopeDeg = {0, 20};
     const Scattering before = f.all();
@@ -189,7 +189,7 @@ TEST(Scatter, AnEditOfTheGroundMovesOnlyWhatStandsThere) {
 }
 
 TEST(Scatter, WithoutGroundOrBeyondTheLimitThereIsNothing) {
-    Field f;
+    ScatteredField f;
     EXPECT_TRUE(scatterOver(f.rule, {}).objects.empty());
     f.terrain.size = {10000, 10000};
     f.rule.perHectare = 100;
@@ -198,7 +198,7 @@ TEST(Scatter, WithoutGroundOrBeyondTheLimitThereIsNothing) {
 }
 
 TEST(Scatter, ItIsEvaluatedAnewOnlyWhenSomethingChanged) {
-    Field f;
+    ScatteredField f;
     ScatterMemory memory;
     const auto first = memory.of({}, f.ground(), "stones", f.rule);
     EXPECT_EQ(memory.of({}, f.ground(), "stones", f.rule), first);

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using test::TempDir;
 
-constexpr const char* kDensity = "lawn.GrassField.species[lawn].density";
+constexpr const char* kDensityOfLawn = "lawn.GrassField.species[lawn].density";
 
 // A document on a new project in a folder of its own.
 struct Fixture {
@@ -28,7 +28,7 @@ struct Fixture {
         EXPECT_TRUE(doc.create(dir / "p"));
     }
     Map density() {
-        return static_cast<const MapField*>(findMap(doc.project(), tables().components, kDensity)->value)->map;
+        return static_cast<const MapField*>(findMap(doc.project(), tables().components, kDensityOfLawn)->value)->map;
     }
     std::string text(const std::string& path) {
         const auto field = findField(doc.project(), tables().components, path);
@@ -221,9 +221,9 @@ TEST(Document, AFailedEditChangesNothing) {
     EXPECT_FALSE(f.doc.removeComponent("camera", "Terrain"));
     EXPECT_FALSE(f.doc.addListElement("camera.Camera.fovDeg"));
     EXPECT_FALSE(f.doc.removeListElement("lawn.GrassField.species[nobody]"));
-    EXPECT_FALSE(f.doc.setMap(kDensity, Map({8, 8, 3, PixelType::U8}), "wrong channels"));
+    EXPECT_FALSE(f.doc.setMap(kDensityOfLawn, Map({8, 8, 3, PixelType::U8}), "wrong channels"));
     EXPECT_FALSE(f.doc.setMap("ground.Terrain.height", Map({8, 8, 1, PixelType::U8}), "8-bit heights"));
-    EXPECT_FALSE(f.doc.setMap(kDensity, Map(), "no map"));
+    EXPECT_FALSE(f.doc.setMap(kDensityOfLawn, Map(), "no map"));
     EXPECT_TRUE(f.same(before));
     EXPECT_FALSE(f.doc.canUndo());
     EXPECT_EQ(f.doc.revision(), revision);
@@ -234,7 +234,7 @@ TEST(Document, AStrokeOnSeveralMapsIsOneStepAndMakesWhatIsMissing) {
     ASSERT_TRUE(f.doc.addListElement("lawn.GrassField.species"));
     const Project before = f.copy();
     BrushSettings like = subtract(3);
-    like.map = kDensity;
+    like.map = kDensityOfLawn;
     std::vector<BrushSettings> brushes = speciesBrushes(f.doc.project(), tables().components, like);
     ASSERT_EQ(brushes.size(), 2u);
     EXPECT_FALSE(f.doc.beginStrokes(brushes, 10, 10, false));  // one of them is not there
@@ -401,7 +401,7 @@ TEST(Document, TheNewestStepStaysHoweverLargeItIs) {
 TEST(History, AStepIsChargedOnlyForTilesThatItAloneKeeps) {
     Fixture f;
     ASSERT_TRUE(f.doc.setMap(
-        kDensity,
+        kDensityOfLawn,
         [] {
             Map m({2048, 2048, 1, PixelType::U16});
             for (int y = 0; y < 2048; y += 128)
@@ -446,8 +446,9 @@ TEST(Document, WhatIsSavedIsFoundAgain) {
     ASSERT_TRUE(other.open(f.dir / "p"));
     EXPECT_FALSE(other.dirty());
     EXPECT_TRUE(sameProject(other.project(), f.doc.project(), tables().components));
-    EXPECT_EQ(static_cast<const MapField*>(findMap(other.project(), tables().components, kDensity)->value)->map.hash(),
-              hash);
+    EXPECT_EQ(
+        static_cast<const MapField*>(findMap(other.project(), tables().components, kDensityOfLawn)->value)->map.hash(),
+        hash);
 }
 
 TEST(Document, SaveAsGoesOnInTheNewFolderAndLeavesTheOldOne) {

@@ -10,10 +10,10 @@
 namespace sward {
 namespace {
 
-struct Stage {
+struct NewMapStage {
     test::TempDir dir;
     Document doc{tables()};
-    Stage() { EXPECT_TRUE(doc.create(dir / "p")); }
+    NewMapStage() { EXPECT_TRUE(doc.create(dir / "p")); }
     Map made(const std::string& path) {
         const auto f = findField(doc.project(), tables().components, path);
         EXPECT_TRUE(f) << path;
@@ -22,7 +22,7 @@ struct Stage {
 };
 
 TEST(NewMap, IsAPowerOfTwoWithinItsBounds) {
-    Stage s;
+    NewMapStage s;
     for (const auto& [size, side] : {std::pair{"[40, 40]", 512}, {"[1, 1]", 256}, {"[9000, 9000]", 4096}}) {
         ASSERT_TRUE(s.doc.setField("ground.Terrain.size", size));
         const Map map = s.made("lawn.GrassField.species[lawn].density");
@@ -32,7 +32,7 @@ TEST(NewMap, IsAPowerOfTwoWithinItsBounds) {
 }
 
 TEST(NewMap, HoldsWhatItsAbsenceMeans) {
-    Stage s;
+    NewMapStage s;
     EXPECT_EQ(s.made("lawn.GrassField.species[lawn].density").mean(), 1);
     const Map directions = s.made("lawn.GrassField.orientation"), colours = s.made("lawn.GrassField.vegetation");
     EXPECT_NEAR(static_cast<double>(directions.at(3, 3, 0)), 0.5, 0.01) << "no direction";
@@ -40,7 +40,7 @@ TEST(NewMap, HoldsWhatItsAbsenceMeans) {
 }
 
 TEST(NewMap, IsDescribedBySizeFinenessAndMemory) {
-    Stage s;
+    NewMapStage s;
     const auto f = findField(s.doc.project(), tables().components, "lawn.GrassField.species[lawn].density");
     ASSERT_TRUE(f);
     EXPECT_TRUE(describeNewMap(s.doc.project(), *f).starts_with("512 x 512 texels, 12.8 a metre, "))

@@ -4,7 +4,7 @@
 namespace sward {
 namespace {
 
-using test::Stage;
+using test::ScriptStage;
 
 TEST(BrushCalls, BrushesPaintOneUndoStepAStroke) {
     EXPECT_RUNS(R"(
@@ -23,14 +23,15 @@ TEST(BrushCalls, BrushesPaintOneUndoStepAStroke) {
         brush.select{mode = 'smooth', radius = 5} brush.stroke{{20, 20}, {20, 20}}
         brush.select{mode = 'add', radius = 50} brush.stroke{{20, 20}}
         expect.equal(map.mean('density'), 1))");
-    EXPECT_FAULT(Stage(), "project.new() brush.stroke{}", "must have a point");
-    EXPECT_FAULT(Stage(), "project.new() brush.stroke{{1, 0/0}}", "point 1");
-    EXPECT_FAULT(Stage(), "brush.select{mode = 'spray'}", "add, subtract, set, smooth, noise");
-    EXPECT_FAULT(Stage(), "brush.select{radius = -1}", "radius");
-    EXPECT_FAULT(Stage(), "brush.select{radius = 0}", "above 0");
-    EXPECT_FAULT(Stage(), "project.new() brush.select{map = 'nope'}", "\"nope\"");
-    EXPECT_FAULT(Stage(), "brush.select{size = 1}", "no option is called size");
-    EXPECT_FAULT(Stage(), "project.new() brush.select{map = 'vegetation'} brush.stroke{{1, 1}}", "no map to paint on");
+    EXPECT_FAULT(ScriptStage(), "project.new() brush.stroke{}", "must have a point");
+    EXPECT_FAULT(ScriptStage(), "project.new() brush.stroke{{1, 0/0}}", "point 1");
+    EXPECT_FAULT(ScriptStage(), "brush.select{mode = 'spray'}", "add, subtract, set, smooth, noise");
+    EXPECT_FAULT(ScriptStage(), "brush.select{radius = -1}", "radius");
+    EXPECT_FAULT(ScriptStage(), "brush.select{radius = 0}", "above 0");
+    EXPECT_FAULT(ScriptStage(), "project.new() brush.select{map = 'nope'}", "\"nope\"");
+    EXPECT_FAULT(ScriptStage(), "brush.select{size = 1}", "no option is called size");
+    EXPECT_FAULT(ScriptStage(), "project.new() brush.select{map = 'vegetation'} brush.stroke{{1, 1}}",
+                 "no map to paint on");
 }
 
 TEST(BrushCalls, AStrokeOnAMapThatRepeatsFallsIntoItsOneRepeat) {
@@ -99,14 +100,15 @@ TEST(BrushCalls, HeightsAreSculptedInMetres) {
             edit.undo()
             expect.equal(map.hash("height"), before)
         end)");
-    EXPECT_NE(Stage().fault("brush.select{map = 'height', mode = 'erode', radius = 1, talus = 95}").find("talus angle"),
-              std::string::npos);
-    EXPECT_NE(Stage().fault("brush.select{map = 'height', mode = 'raise', radius = 0}").find("radius"),
+    EXPECT_NE(
+        ScriptStage().fault("brush.select{map = 'height', mode = 'erode', radius = 1, talus = 95}").find("talus angle"),
+        std::string::npos);
+    EXPECT_NE(ScriptStage().fault("brush.select{map = 'height', mode = 'raise', radius = 0}").find("radius"),
               std::string::npos);
 }
 
 TEST(BrushCalls, DirectionsAreCombedAndLaidTowardsAnAngle) {
-    EXPECT_EQ(Stage().fault(R"(
+    EXPECT_EQ(ScriptStage().fault(R"(
         project.new()
         map.create{path = 'orientation', width = 160, height = 160, type = 'u16', value = 0.5}
         local empty = map.hash('orientation')
@@ -121,16 +123,16 @@ TEST(BrushCalls, DirectionsAreCombedAndLaidTowardsAnAngle) {
         expect.near(x, 0.5, 1e-3) expect.near(z, 0.75, 1e-3)
         edit.undo() edit.undo() expect.equal(map.hash('orientation'), empty))"),
               "");
-    EXPECT_FAULT(Stage(), "project.new() brush.select{mode = 'comb'} brush.stroke{{1, 1}, {2, 2}}",
+    EXPECT_FAULT(ScriptStage(), "project.new() brush.select{mode = 'comb'} brush.stroke{{1, 1}, {2, 2}}",
                  "does not paint amounts");
-    EXPECT_FAULT(Stage(),
+    EXPECT_FAULT(ScriptStage(),
                  "project.new() map.create{path = 'orientation', width = 8, height = 8} brush.select{map = "
                  "'orientation'} brush.stroke{{1, 1}}",
                  "does not paint directions");
 }
 
 TEST(BrushCalls, ColoursAreLaidErasedAndSmoothed) {
-    EXPECT_EQ(Stage().fault(R"(
+    EXPECT_EQ(ScriptStage().fault(R"(
         project.new()
         for _, name in ipairs {'terrainMap', 'vegetation'} do
             map.create{path = name, width = 160, height = 160, type = 'u8', value = 0}
@@ -152,15 +154,15 @@ TEST(BrushCalls, ColoursAreLaidErasedAndSmoothed) {
         end)"),
               "");
     const std::string begin = "project.new() map.create{path = 'vegetation', width = 8, height = 8} ";
-    EXPECT_FAULT(Stage(), begin + "brush.select{map = 'vegetation', mode = 'comb'} brush.stroke{{1, 1}, {2, 2}}",
+    EXPECT_FAULT(ScriptStage(), begin + "brush.select{map = 'vegetation', mode = 'comb'} brush.stroke{{1, 1}, {2, 2}}",
                  "use add, subtract, set, smooth or noise");
-    EXPECT_FAULT(Stage(), "brush.select{color = {0.5, 0.5}}", "three numbers");
-    EXPECT_FAULT(Stage(), "brush.select{color = {0.5, 0.5, 2}}", "three numbers");
-    EXPECT_FAULT(Stage(), "brush.select{color = {0.5, 0.5, -0.5}}", "not between 0 and 1");
+    EXPECT_FAULT(ScriptStage(), "brush.select{color = {0.5, 0.5}}", "three numbers");
+    EXPECT_FAULT(ScriptStage(), "brush.select{color = {0.5, 0.5, 2}}", "three numbers");
+    EXPECT_FAULT(ScriptStage(), "brush.select{color = {0.5, 0.5, -0.5}}", "not between 0 and 1");
 }
 
 TEST(BrushCalls, ForcesArePressedAlongTheStrokeAndLiftedAgain) {
-    EXPECT_EQ(Stage().fault(R"(
+    EXPECT_EQ(ScriptStage().fault(R"(
         project.new()
         map.create{path = 'forces', width = 160, height = 160, value = {0.5, 0.5, 0, 0}}
         local empty = map.hash('forces')
@@ -180,16 +182,16 @@ TEST(BrushCalls, ForcesArePressedAlongTheStrokeAndLiftedAgain) {
         x = map.at('forces', 19, 20) expect.less(x, 0.2)
         edit.undo() expect.equal(map.hash('forces'), empty))"),
               "");
-    EXPECT_FAULT(Stage(),
+    EXPECT_FAULT(ScriptStage(),
                  "project.new() map.create{path = 'forces', width = 8, height = 8} brush.select{map = 'forces', mode = "
                  "'comb'} brush.stroke{{1, 1}, {2, 2}}",
                  "does not paint forces");
-    EXPECT_FAULT(Stage(), "project.new() brush.select{map = 'forces', mode = 'press'} brush.stroke{{1, 1}}",
+    EXPECT_FAULT(ScriptStage(), "project.new() brush.select{map = 'forces', mode = 'press'} brush.stroke{{1, 1}}",
                  "no map to paint on");
 }
 
 TEST(BrushCalls, EraseTakesEverySpeciesInOneStep) {
-    EXPECT_EQ(Stage().fault(R"(
+    EXPECT_EQ(ScriptStage().fault(R"(
         project.new()
         entity.set('lawn.GrassField.species', {{name = 'lawn'}, {name = 'clover'}})
         map.create{path = 'species[lawn].density', width = 64, height = 64, value = 1}
@@ -204,7 +206,7 @@ TEST(BrushCalls, EraseTakesEverySpeciesInOneStep) {
         expect.near(map.at('species[lawn].density', 22, 20), 1, 1e-3)
         entity.remove('lawn'))"),
               "");
-    EXPECT_FAULT(Stage(), "project.new() entity.remove('lawn') brush.erase{{1, 1}}", "no grass to erase");
+    EXPECT_FAULT(ScriptStage(), "project.new() entity.remove('lawn') brush.erase{{1, 1}}", "no grass to erase");
 }
 
 TEST(BrushCalls, ShapesImprintMirrorAndSeveralMaps) {
@@ -234,12 +236,12 @@ TEST(BrushCalls, ShapesImprintMirrorAndSeveralMaps) {
         expect.equal(map.at('vegetation', 20, 20, 4), 0)
         expect.equal(map.at('terrainMap', 20, 20, 4), 0)
         brush.select{mode = 'add', radius = 3, shape = 'cracks', shapeTurn = 'random', shapeAngle = 30})");
-    EXPECT_FAULT(Stage(), "brush.select{shape = 'nowhere.png'}", "nowhere.png");
-    EXPECT_FAULT(Stage(), "brush.select{shapeTurn = 'left'}", "\"fixed\", \"random\", \"along\"");
-    EXPECT_FAULT(Stage(), "brush.select{mirror = 'y'}", "mirror");
-    EXPECT_FAULT(Stage(), "brush.select{blend = 'times'}", "\"replace\"");
-    EXPECT_FAULT(Stage(), "brush.select{map = {1}}", "must name maps");
-    EXPECT_FAULT(Stage(), "brush.select{shape = '/etc/passwd'}", "own folder");
+    EXPECT_FAULT(ScriptStage(), "brush.select{shape = 'nowhere.png'}", "nowhere.png");
+    EXPECT_FAULT(ScriptStage(), "brush.select{shapeTurn = 'left'}", "\"fixed\", \"random\", \"along\"");
+    EXPECT_FAULT(ScriptStage(), "brush.select{mirror = 'y'}", "mirror");
+    EXPECT_FAULT(ScriptStage(), "brush.select{blend = 'times'}", "\"replace\"");
+    EXPECT_FAULT(ScriptStage(), "brush.select{map = {1}}", "must name maps");
+    EXPECT_FAULT(ScriptStage(), "brush.select{shape = '/etc/passwd'}", "own folder");
 }
 
 }  // namespace

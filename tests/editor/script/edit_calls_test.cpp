@@ -4,10 +4,10 @@
 namespace sward {
 namespace {
 
-using test::Stage;
+using test::ScriptStage;
 
 TEST(EditCalls, CameraUseTellsTheHost) {
-    Stage r;
+    ScriptStage r;
     std::string shown;
     r.host.useCamera = [&](const std::string& name) { shown = name; };
     EXPECT_EQ(r.fault("project.new() camera.use('camera')"), "");

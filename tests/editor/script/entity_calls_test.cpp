@@ -4,7 +4,7 @@
 namespace sward {
 namespace {
 
-using test::Stage;
+using test::ScriptStage;
 
 TEST(EntityCalls, EntitiesAreAddedReadSetAndRemoved) {
     EXPECT_RUNS(R"(
@@ -38,7 +38,7 @@ TEST(EntityCalls, EntitiesAreAddedReadSetAndRemoved) {
 }
 
 TEST(EntityCalls, AnEntityThatCannotBeWhollyAddedIsNotAddedAtAll) {
-    Stage r;
+    ScriptStage r;
     EXPECT_EQ(r.fault(R"(
         project.new()
         for _, parts in ipairs{{GrassField = {technique = 'magic'}}, {Camera = {fovDeg = 1e9}}, {Camera = {zoom = 1}}, {Rocket = {}},
@@ -57,10 +57,10 @@ TEST(EntityCalls, AnEntityThatCannotBeWhollyAddedIsNotAddedAtAll) {
 }
 
 TEST(EntityCalls, UnknownPathsSayWhatThereIs) {
-    EXPECT_FAULT(Stage(), "project.new() entity.get('camera.Camera.zoom')", "eye, target, fovDeg");
-    EXPECT_FAULT(Stage(), "project.new() entity.get('nobody.Camera.eye')", "camera, ground");
-    EXPECT_FAULT(Stage(), "project.new() map.mean('nonsense')", "lawn.GrassField.species[lawn].density");
-    EXPECT_FAULT(Stage(), "entity.list()", "no project is open");
+    EXPECT_FAULT(ScriptStage(), "project.new() entity.get('camera.Camera.zoom')", "eye, target, fovDeg");
+    EXPECT_FAULT(ScriptStage(), "project.new() entity.get('nobody.Camera.eye')", "camera, ground");
+    EXPECT_FAULT(ScriptStage(), "project.new() map.mean('nonsense')", "lawn.GrassField.species[lawn].density");
+    EXPECT_FAULT(ScriptStage(), "entity.list()", "no project is open");
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 namespace sward {
 namespace {
 
-using test::Stage;
+using test::ScriptStage;
 
 TEST(ExpectCalls, EveryExpectationPassesAndFails) {
     EXPECT_RUNS(
@@ -13,7 +13,7 @@ TEST(ExpectCalls, EveryExpectationPassesAndFails) {
     for (const char* failing : {"expect.equal(1, 2)", "expect.equal({1}, {1, 2})", "expect.equal({1, 2}, {1})",
                                 "expect.equal('1', 1)", "expect.near(1, 1.2, 0.1)", "expect.near(0/0, 1, 1)",
                                 "expect.less(2, 2)", "expect.truthy(nil)", "expect.truthy(false)"})
-        EXPECT_FAULT(Stage(), failing, "test.lua:1: expected");
+        EXPECT_FAULT(ScriptStage(), failing, "test.lua:1: expected");
 }
 
 TEST(ExpectCalls, SortedPairsVisitsNumbersThenStringsInOrder) {

@@ -6,7 +6,7 @@ namespace sward {
 namespace {
 
 TEST(FilmCalls, HandOverWhatIsAskedFor) {
-    test::Stage stage;
+    test::ScriptStage stage;
     std::vector<FilmPlan> plans;
     std::string from;
     stage.host.film = [&](const FilmPlan& plan, const std::string& camera) {
@@ -28,7 +28,7 @@ TEST(FilmCalls, HandOverWhatIsAskedFor) {
 }
 
 TEST(FilmCalls, WithoutAHostThatDrawsTheySaySo) {
-    test::Stage stage;
+    test::ScriptStage stage;
     EXPECT_FAULT(stage, "project.new() camera.picture('a.png')", "draws none");
     EXPECT_FAULT(stage, "project.new() camera.film('a', {speed = 2})", "speed");
 }

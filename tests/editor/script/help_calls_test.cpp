@@ -4,10 +4,10 @@
 namespace sward {
 namespace {
 
-using test::Stage;
+using test::ScriptStage;
 
 TEST(HelpCalls, HelpListsTablesAndTheCallsOfOne) {
-    Stage r;
+    ScriptStage r;
     EXPECT_EQ(r.fault("help()"), "");
     std::string all;
     for (const std::string& line : r.printed) all += line + "\n";
@@ -20,7 +20,7 @@ TEST(HelpCalls, HelpListsTablesAndTheCallsOfOne) {
 }
 
 TEST(HelpCalls, AConsolesWordBecomesGlobalsAndWhatLiesInThem) {
-    Stage r;
+    ScriptStage r;
     ScriptConsole console(r.host);
     using Words = std::vector<std::string>;
     EXPECT_EQ(console.completions("expect.ne"), Words{"expect.near"});

@@ -4,7 +4,7 @@
 namespace sward {
 namespace {
 
-using test::Stage;
+using test::ScriptStage;
 
 TEST(MapCalls, MapsAreCreatedFilledAndRead) {
     EXPECT_RUNS(R"(
@@ -96,7 +96,7 @@ TEST(MapCalls, AFunctionThatFailsHalfWayLeavesTheMapAsItWas) {
 }
 
 TEST(MapCalls, MapsAreExportedAndImported) {
-    Stage r;
+    ScriptStage r;
     EXPECT_EQ(r.fault(R"(
         project.new()
         map.fill('density', function(x, z) return z / 40 end)
@@ -143,8 +143,9 @@ TEST(MapCalls, HeightsOfBladesAreMadeByBlurringTheDensity) {
         edit.undo()
         expect.equal(map.mean("density"), 1)
         expect.equal(map.exists("bladeHeight"), false))");
-    EXPECT_FAULT(Stage(), "project.new()\nmap.copy('orientation', 'density')", "channels");
-    EXPECT_FAULT(Stage(), "project.new()\nmap.export('density', 'a.png', {packed = true, range = {0, 1}})", "range");
+    EXPECT_FAULT(ScriptStage(), "project.new()\nmap.copy('orientation', 'density')", "channels");
+    EXPECT_FAULT(ScriptStage(), "project.new()\nmap.export('density', 'a.png', {packed = true, range = {0, 1}})",
+                 "range");
 }
 
 }  // namespace

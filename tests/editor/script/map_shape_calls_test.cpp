@@ -4,7 +4,7 @@
 namespace sward {
 namespace {
 
-using test::Stage;
+using test::ScriptStage;
 
 TEST(MapShapeCalls, MapSizeSetsTheLengthThatBrushesAndShapesCover) {
     EXPECT_RUNS(R"(

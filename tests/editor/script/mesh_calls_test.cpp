@@ -5,10 +5,10 @@
 namespace sward {
 namespace {
 
-using test::Stage;
+using test::ScriptStage;
 
 TEST(MeshCalls, MeshWriteMakesAnObjectOfSolids) {
-    Stage r;
+    ScriptStage r;
     EXPECT_EQ(r.fault(R"(
         expect.equal(mesh.write("models/a.glb", {{shape = "box", size = {1, 2, 3}}, {shape = "cylinder", radius = 0.5, height = 1, top = 0, sides = 4, at = {2, 0, 0}}}), 12 + 8 + 4)
         expect.equal(mesh.write("b.glb", {{shape = "leaves", size = {1, 1, 1}, count = 10, leaf = 0.2}}), 20))"),

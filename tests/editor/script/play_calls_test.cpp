@@ -8,10 +8,10 @@
 namespace sward {
 namespace {
 
-using test::Stage;
+using test::ScriptStage;
 
 TEST(ScriptPlay, StartsStepsHashesAndStops) {
-    Stage r;
+    ScriptStage r;
     EXPECT_EQ(r.fault(R"(
         project.new()
         play.start { at = { 20, 20 }, time = 100 }
@@ -41,7 +41,7 @@ TEST(ScriptPlay, StartsStepsHashesAndStops) {
 }
 
 TEST(ScriptPlay, CallsThatMakeNoSenseAreRefused) {
-    Stage r;
+    ScriptStage r;
     EXPECT_FAULT(r, "play.start()", "no project is open");
     EXPECT_FAULT(r, "project.new() play.step()", "nothing is played");
     EXPECT_FAULT(r, "project.new() play.start() play.start()", "play.stop()");
@@ -69,7 +69,7 @@ TEST(ScriptPlay, CallsThatMakeNoSenseAreRefused) {
 }
 
 TEST(ScriptPlay, WhileItIsPlayedEveryChangeSaysWhyNot) {
-    Stage r;
+    ScriptStage r;
     ASSERT_EQ(r.fault("project.new() entity.set('sun.Light.elevationDeg', 10) play.start()"), "");
     for (const char* call :
          {"project.save()", "project.new()", "project.saveAs('q')", "edit.undo()", "edit.redo()", "entity.add('x', {})",

@@ -4,10 +4,10 @@
 namespace sward {
 namespace {
 
-using test::Stage;
+using test::ScriptStage;
 
 TEST(ProjectCalls, ProjectsAreMadeSavedReopenedAndCopied) {
-    Stage r;
+    ScriptStage r;
     EXPECT_EQ(r.fault(R"(
         project.new('made')
         expect.equal(project.name(), 'made')
@@ -36,7 +36,7 @@ TEST(ProjectCalls, ProjectsAreMadeSavedReopenedAndCopied) {
 }
 
 TEST(ProjectCalls, TemporaryFoldersGoEvenIfTheScriptFails) {
-    Stage r;
+    ScriptStage r;
     EXPECT_NE(r.fault("project.new() print(project.dir()) error('x')"), "");
     ASSERT_EQ(r.printed.size(), 1u);
     EXPECT_FALSE(std::filesystem::exists(r.printed[0]));

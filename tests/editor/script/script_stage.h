@@ -9,12 +9,12 @@
 
 namespace sward::test {
 
-struct Stage {
+struct ScriptStage {
     TempDir dir;
     Document doc{tables()};
     std::vector<std::string> printed;
     ScriptHost host{doc};
-    Stage() {
+    ScriptStage() {
         host.print = [this](const std::string& line) { printed.push_back(line); };
     }
     Status run(const std::string& text) {
@@ -37,4 +37,4 @@ struct Stage {
         EXPECT_NE(fault_.find(part), std::string::npos) << "fault: " << fault_; \
     } while (0)
 // That a script runs to its end.
-#define EXPECT_RUNS(text) EXPECT_EQ(::sward::test::Stage().fault(text), "")
+#define EXPECT_RUNS(text) EXPECT_EQ(::sward::test::ScriptStage().fault(text), "")

@@ -4,16 +4,16 @@
 namespace sward {
 namespace {
 
-using test::Stage;
+using test::ScriptStage;
 
 TEST(Script, PrintGoesToTheHostLineByLine) {
-    Stage r;
+    ScriptStage r;
     ASSERT_TRUE(r.run("print('a', 1, 2.5, nil, true)\nprint()"));
     EXPECT_EQ(r.printed, (std::vector<std::string>{"a\t1\t2.5\tnil\ttrue", ""}));
 }
 
 TEST(Script, AFailureNamesFileAndLineAndEndsWithOne) {
-    Stage r;
+    ScriptStage r;
     const Status s = r.run("local x = 1\n\nexpect.equal(x, 2, 'the count')\n");
     ASSERT_FALSE(s);
     EXPECT_EQ(s.error().code, ExitCode::Failed);
@@ -22,7 +22,7 @@ TEST(Script, AFailureNamesFileAndLineAndEndsWithOne) {
 }
 
 TEST(Script, SyntaxErrorsNameFileAndLine) {
-    Stage r;
+    ScriptStage r;
     const Status s = r.run("local x = 1\nlocal = 3\n");
     ASSERT_FALSE(s);
     EXPECT_EQ(s.error().line, 2);
@@ -31,7 +31,7 @@ TEST(Script, SyntaxErrorsNameFileAndLine) {
 }
 
 TEST(Script, CallsThatFailKeepTheirExitCode) {
-    Stage r;
+    ScriptStage r;
     Status s = r.run("project.new()\nentity.set('camera.Camera.zoom', 1)");
     ASSERT_FALSE(s);
     EXPECT_EQ(s.error().code, ExitCode::Usage);
@@ -47,7 +47,7 @@ TEST(Script, CallsThatFailKeepTheirExitCode) {
 }
 
 TEST(ScriptConsole, KeepsItsStateAndPrintsExpressions) {
-    Stage r;
+    ScriptStage r;
     ASSERT_TRUE(r.doc.create(r.dir / "p"));
     ScriptConsole console(r.host);
     EXPECT_TRUE(console.run("x = 20"));
@@ -65,7 +65,7 @@ TEST(ScriptConsole, KeepsItsStateAndPrintsExpressions) {
 }
 
 TEST(ScriptConsole, BoundsEachLineByItself) {
-    Stage r;
+    ScriptStage r;
     r.host.limits.instructions = 1'000'000;
     ScriptConsole console(r.host);
     EXPECT_FALSE(console.run("while true do end"));

@@ -6,7 +6,7 @@
 namespace sward {
 namespace {
 
-using test::Stage;
+using test::ScriptStage;
 
 struct RecordingUi : UiDriver {
     std::vector<std::string> calls;
@@ -38,7 +38,7 @@ struct RecordingUi : UiDriver {
 };
 
 TEST(UiCalls, UiCallsReachTheDriver) {
-    Stage r;
+    ScriptStage r;
     RecordingUi ui;
     r.host.ui = &ui;
     EXPECT_EQ(r.fault(R"(
@@ -63,7 +63,7 @@ TEST(UiCalls, UiCallsWithoutAWindowSaySo) {
     for (const char* call :
          {"ui.click('x')", "ui.set('x', 1)", "ui.get('x')", "ui.exists('x')", "ui.key('a')", "ui.drag(1, 2, 3, 4)",
           "ui.rect('x')", "ui.wait(1)", "ui.screenshot('x.png')", "ui.rightClick('x')", "ui.drop('test.lua')"})
-        EXPECT_FAULT(Stage(), call, "test.lua:1: ui.* needs the editor's window");
+        EXPECT_FAULT(ScriptStage(), call, "test.lua:1: ui.* needs the editor's window");
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 namespace sward {
 namespace {
 
-using test::Stage;
+using test::ScriptStage;
 
 TEST(ScriptValues, AStiffnessThatIsNoneIsRefusedAndTheOldOneKept) {
     for (const char* value : {"0", "-1", "0/0", "math.huge", "0.01", "101", "'stiff'"})
@@ -24,7 +24,7 @@ TEST(ScriptValues, TilingsThatAreNoneAreRefused) {
     for (const char* field : {"ground.Terrain.heightTiling", "ground.Terrain.terrainMapTiling",
                               "lawn.GrassField.species[lawn].densityTiling", "lawn.GrassField.bladeHeightTiling"})
         for (const char* value : {"0", "-1", "1e9", "0/0", "-math.huge", "math.huge", "'x'"})
-            EXPECT_NE(Stage().fault(fmt::format("project.new()\nentity.set('{}', {})", field, value)), "")
+            EXPECT_NE(ScriptStage().fault(fmt::format("project.new()\nentity.set('{}', {})", field, value)), "")
                 << field << " = " << value;
 }
 

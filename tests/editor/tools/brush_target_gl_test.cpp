@@ -11,28 +11,28 @@ namespace {
 
 using test::EditorTools;
 
-constexpr const char* kOrientation = "lawn.GrassField.orientation";
+constexpr const char* kLawnOrientation = "lawn.GrassField.orientation";
 constexpr const char* kVegetation = "lawn.GrassField.vegetation";
-constexpr const char* kForces = "lawn.GrassField.forces";
+constexpr const char* kLawnForces = "lawn.GrassField.forces";
 
 TEST_F(EditorTools, TheCombGoesToTheOrientationMapAndOffersToCreateIt) {
     ok(ui->click("Tools/Comb"));
-    EXPECT_EQ(app->brushes.map, kOrientation);
+    EXPECT_EQ(app->brushes.map, kLawnOrientation);
     EXPECT_NE(get("Brush/New map").find(" x "), std::string::npos);
     ok(ui->click("Brush/Create map"));
-    ASSERT_TRUE(mapOf(kOrientation).present());
-    EXPECT_EQ(mapOf(kOrientation).map.info().channels, 2);
+    ASSERT_TRUE(mapOf(kLawnOrientation).present());
+    EXPECT_EQ(mapOf(kLawnOrientation).map.info().channels, 2);
     EXPECT_FALSE(ui->exists("Brush/Create map"));
     ok(ui->key("ctrl+z"));
-    EXPECT_FALSE(mapOf(kOrientation).present());
+    EXPECT_FALSE(mapOf(kLawnOrientation).present());
     ok(ui->click("Tools/Add"));
     EXPECT_TRUE(app->brushes.map.ends_with(".density"));
-    ok(ui->set("Brush/Map", kOrientation));
+    ok(ui->set("Brush/Map", kLawnOrientation));
     EXPECT_EQ(app->brushes.tool, "comb");  // the tool last used on directions
 }
 
 TEST_F(EditorTools, TheOverlayOfForcesShowsWhatStandsThereToo) {
-    ok(ui->set("Brush/Map", kForces));
+    ok(ui->set("Brush/Map", kLawnForces));
     EXPECT_EQ(app->brushes.tool, "press");
     EXPECT_EQ(overlayOf(doc, app->brushes).map, "") << "nothing presses";
     const Rect& r = app->hand.rect;
@@ -43,7 +43,7 @@ TEST_F(EditorTools, TheOverlayOfForcesShowsWhatStandsThereToo) {
     ASSERT_TRUE(doc.addComponent("stone", "ForceSource"));
     ASSERT_TRUE(doc.addComponent("stone", "Transform"));
     ASSERT_TRUE(doc.setField("stone.Transform.position", fmt::format("[{}, {}, {}]", at->x, at->y, at->z)));
-    EXPECT_EQ(overlayOf(doc, app->brushes).map, kForces);
+    EXPECT_EQ(overlayOf(doc, app->brushes).map, kLawnForces);
     const std::vector<uint8_t> shown = picture();
     ok(ui->key("o"));
     EXPECT_NE(picture(), shown);
