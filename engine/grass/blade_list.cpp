@@ -71,6 +71,13 @@ struct Lister {
         return (std::abs(texels.x) + std::abs(texels.y)) * 4 * std::numeric_limits<float>::epsilon();
     }
 
+    // Whether it has a shadow of its own, and is not one of those that others stand for.
+    bool shades(const Blade& b, float distance) const {
+        const float pixel = std::max(distance * (1 - kSlack) - kSlack, 0.0f) / q.cells.pixelsPerMetre;
+        const float chance = f32::shadowChance(std::bit_cast<uint32_t>(b.dither), cell.cellX, cell.cellZ);
+        return f32::shadowWidening(f32::shadowsOfOne(b.width, pixel), chance) > 0;
+    }
+
     bool inView(const glm::vec2& at) const {
         const float r = q.beyond;
         return q.cells.frustum.touches({at.x - r, low - r, at.y - r}, {at.x + r, high + r, at.y + r});
@@ -85,6 +92,7 @@ struct Lister {
         const glm::vec2 share = place / glm::vec2(q.cells.terrain.size);
         if (std::max(share.x, share.y) > 1 + kSlack || !inView(at)) return;
         const float distance = glm::length(glm::vec3(at.x, std::clamp(0.0f, low, high), at.y));
+        if (q.shadows && !shades(b, distance)) return;
         if (mostOpacity(b, place, distance) < std::max(q.least[i] - 10 * kSlack, 1e-6f)) return;
         addStrip(out.indices, i, q.shadows ? std::min(q.cells.segments, kShadowQuads) : cell.segments, q.cells.segments,
                  q.shadows);

@@ -169,9 +169,7 @@ void cullSpecies(DrawContext& ctx, Field& field, size_t i, Selection& s) {
     s.mesh = &ctx.own<GeometryState>().meshes.at(field.number, i);
     if (!s.vertices.id()) s.vertices = makeVertexArray(kOwner);
     CellQuery query = drawnQuery(ctx, field, i);
-    if (shades)
-        query.shadow =
-            groundShadowReach(own.grown->look.height, ctx.shared.lights.casting > 0 ? 0 : ctx.globals.sunDirection.y);
+    if (shades) query.shadow = groundShadowReach(ctx, field, i);
     if (gpuChooses(drawing.culling, ctx.gpu) && gpuMayChoose(query))
         selectThere(ctx, s, query);
     else

@@ -38,8 +38,7 @@ BladeList shadowList(const DrawContext& ctx, One& one, const Field& field, size_
     const BladeDraws& blades = field.species[i].draws;
     if (one.leastOf != species.drawnKey()) one.least = leastShading(species.drawn()), one.leastOf = species.drawnKey();
     const CellQuery query = drawnQuery(ctx, field, i);
-    const float sine = ctx.shared.lights.casting > 0 ? 0 : ctx.globals.sunDirection.y;
-    return listBlades({query, one.least, query.reach + groundShadowReach(species.look.height, sine), share, true},
+    return listBlades({query, one.least, query.reach + groundShadowReach(ctx, field, i), share, true},
                       {blades.cells, blades.count});
 }
 
@@ -98,6 +97,7 @@ void drawLight(DrawContext& ctx, ShadowView& view, int light) {
             if (!ctx.use(0, {}, &field.view->constants)) return;
             bindField(field);
             glUniform1i(0, light);
+            glUniform1f(1, pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings)));
         }
         begun = &field;
         if (one.count > 0) drawSpecies(ctx, field.species[i], one);
@@ -138,9 +138,11 @@ const Pass kPasses[] = {
 
 }  // namespace
 
-float groundShadowReach(float meanHeight, float sinElevation) {
-    const float s = std::clamp(sinElevation, 1e-3f, 1.0f);
-    return meanHeight * std::min(kTallest * std::sqrt(1 - s * s) / s, kLongest);
+float groundShadowReach(const DrawContext& ctx, const Field& field, size_t i) {
+    const float sine = ctx.shared.lights.casting > 0 ? 0 : ctx.globals.sunDirection.y,
+                s = std::clamp(sine, 1e-3f, 1.0f);
+    return field.species[i].grown->look.height * std::min(kTallest * std::sqrt(1 - s * s) / s, kLongest) +
+           field.grows().species[i].width * f32::kMostShadows;
 }
 
 const EffectRow& groundShadowEffect() {

@@ -13,7 +13,8 @@
 #include "numerics/shadow.h"
 #include "shared/grass.h"
 
-layout(location = 0) uniform int light;  // 0: the sun; i: lamp i - 1
+layout(location = 0) uniform int light;             // 0: the sun; i: lamp i - 1
+layout(location = 1) uniform float pixelsPerMetre;  // at one metre
 
 out vec3 left;  // share of the ground's light that is left
 
@@ -32,6 +33,9 @@ void main() {
     // A blade that fades shades by chance: the first that shades a pixel is the only one, and half a shadow would keep
     // whole ones out.
     if (!exists(s) || s.opacity < b.dither) return;
+    float widening = shadowWidening(shadowsOfOne(b.width, length(s.root) / pixelsPerMetre),
+                                    shadowChance(floatBitsToUint(b.dither), cell.x, cell.y));
+    if (!(widening > 0.0)) return;
     vec3 n = groundNormal(s.ground, kNormalStep);
     SpeciesInField kind = field.species[species.index];
     float near = 1.0 - lodRamp(length(s.root), field.shadeFrom, field.shadeInv);
@@ -44,7 +48,7 @@ void main() {
     float lighter;
     BladePose pose = poseHere(b, s, lighter);
     BladeFrame f = bladeFrameFacing(pose.control, pose.tip, pose.facing, s.v);
-    vec3 p = f.position + f.side * (s.across * b.width * frame.widening * (1.0 - s.v * s.v));
+    vec3 p = f.position + f.side * (s.across * b.width * frame.widening * widening * (1.0 - s.v * s.v));
     vec3 l = towardsLight(s.root + p);
     GroundShadow shadow = shadowOfSun(dot(p, n), vec3(l.x, dot(l, n), l.z), kLongest * kind.height);
     vec2 land = p.xz + shadow.offset;

@@ -3,7 +3,26 @@
 #ifndef __cplusplus
 #include "numerics/basics.h"
 #include "numerics/glsl.h"
+#include "numerics/hash.h"
 #endif
+
+// Blades whose shadows on the ground are narrower than half a pixel: how many of them one stands for, [1,
+// kMostShadows]. width: of a blade; pixel: at its root, metres.
+const real kMostShadows = real(16.0);
+const real kShadowPixels = real(0.5);  // that one then covers
+FN real shadowsOfOne(real width, real pixel) {
+    return clamp(kShadowPixels * pixel / max(width, real(1e-6)), real(1.0), kMostShadows);
+}
+// Of its own width, how wide the shadow is then of a blade with this chance, [0, 1); 0: it has none. The mean over all
+// chances is 1, and shadows narrow before they are gone, so that none goes at once where the eye moves.
+FN real shadowWidening(real many, real chance) {
+    real narrowing = min(many - real(1.0), real(0.5)), left = 1.0f - many * chance;
+    if (!(many > 1.0f)) return real(1.0);
+    return many / (1.0f - real(0.5) * narrowing) * clamp(left / narrowing, real(0.0), real(1.0));
+}
+// The chance of a blade with these bits of its own (Blade.dither) in this cell: patches that all cells repeat hold few
+// blades, and chances of the patch's would be as many everywhere.
+FN real shadowChance(uint bits, int cellX, int cellZ) { return hashUnit(cellHash(cellX, cellZ, bits)); }
 
 // Where a ray from o along d leaves the vertical cylinder of radius R around the y axis: o + t d, t >= 0. The paper
 // looks its mask up there; ours (maskPointOf) asks for no way out, and this is kept beside it for who follows the

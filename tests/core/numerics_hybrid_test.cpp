@@ -194,6 +194,32 @@ TEST(GroundShadow, LiesAwayFromTheLightIsNeverLongerThanItsLimitAndFadesWithoutA
     EXPECT_EQ(before, 1.0f);
 }
 
+TEST(GroundShadow, OneStandsForThoseThatAreNarrowerThanHalfAPixel) {
+    EXPECT_EQ(shadowsOfOne(0.02f, 0.01f), 1.0f);
+    EXPECT_EQ(shadowsOfOne(0.004f, 0.024f), 3.0f);
+    EXPECT_EQ(shadowsOfOne(0, 1), kMostShadows);
+    EXPECT_EQ(shadowWidening(1, 0.9999f), 1.0f);
+    constexpr int kChances = 20000;
+    for (const float many : {1.001f, 1.3f, 2.0f, 5.5f, 16.0f}) {
+        double sum = 0;
+        int left = 0;
+        for (int i = 0; i < kChances; ++i) {
+            const float w = shadowWidening(many, (float(i) + 0.5f) / kChances);
+            ASSERT_TRUE(w >= 0 && w <= many * 4 / 3) << many;
+            sum += double(w), left += w > 0;
+        }
+        EXPECT_NEAR(sum / kChances, 1, 1e-3) << "as much shadow as all have, of one for " << many;
+        EXPECT_NEAR(double(left) / kChances, 1 / double(many), 1e-3) << many;
+    }
+    float before = shadowWidening(1, 0.3f);  // a blade's, while the eye goes away from it
+    for (float many = 1; many < 16; many *= 1.01f) {
+        const float w = shadowWidening(many, 0.3f);
+        EXPECT_LT(std::abs(w - before), 0.1f) << many;
+        before = w;
+    }
+    EXPECT_EQ(before, 0.0f);
+}
+
 TEST(ShadowCylinder, RaysLeaveOnTheCylinder) {
     Random r;
     for (int i = 0; i < 5000; ++i) {

@@ -81,6 +81,32 @@ TEST(BladeList, HoldsEveryBladeThatIsSeenAndFewOthers) {
     }
 }
 
+// At 5 m half a pixel is as wide as three blades.
+TEST(BladeList, OfShadowsItHoldsThoseThatStandForOthers) {
+    const ListedField f;
+    CellQuery q = f.query();
+    q.pixelsPerMetre = 200;
+    const std::vector<CellDraw> cells = selectCells(q);
+    const std::vector<float> least = leastShading(f.patch);
+    const Seen all = mustBeListed(q, least, cells),
+               shown = listed(listBlades({q, least, q.reach, 1, true}, cells), q.segments);
+    size_t needed = 0;
+    for (const auto& [c, i] : all) {
+        const Blade& b = f.patch.blades[i];
+        const glm::vec2 root = f32::rootInCell(b.root, cells[c].mirror, cells[c].shift, 0.5f);
+        const float distance = glm::length(glm::vec3(cells[c].x + root.x, -q.eye.y, cells[c].z + root.y));
+        const float many = f32::shadowsOfOne(b.width, distance / q.pixelsPerMetre);
+        if (!(f32::shadowWidening(
+                  many, f32::shadowChance(std::bit_cast<uint32_t>(b.dither), cells[c].cellX, cells[c].cellZ)) > 0))
+            continue;
+        ++needed;
+        EXPECT_TRUE(shown.contains({c, i})) << "cell " << c << ", blade " << i;
+    }
+    EXPECT_GT(needed, all.size() / 4);
+    EXPECT_LT(needed, all.size() * 2 / 3);
+    EXPECT_LT(static_cast<double>(shown.size()), 1.1 * static_cast<double>(needed) + 50);
+}
+
 TEST(BladeList, MoreSamplesShowMoreOfWhatFades) {
     const ListedField f;
     const auto least = [&](Transparency way, int samples) {

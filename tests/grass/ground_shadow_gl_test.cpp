@@ -1,5 +1,6 @@
 // Known answers: where the shadow of one upright blade begins and ends, seen from straight above.
 #include "fields.h"
+#include "pixels.h"
 #include "scene/population.h"
 #include "scenes.h"
 #include "techniques.h"
@@ -142,6 +143,27 @@ TEST(GroundShadow, UnderTheZenithIsOnlyUnderTheBladeAndOnTheHorizonThereIsNone) 
     sun.elevationDeg = 45;
     sun.castShadows = false;
     EXPECT_EQ(shadowOf(r, p).pixels, 0);
+}
+
+// Soil between blades, all of them drawn one by one: half a pixel of the coarse picture is as wide as three, one of the
+// fine picture narrower than one.
+double lightOfLawn(Renderer& r, int times) {
+    Project p = lawn();
+    FlatField f = flatField(p, "grass");
+    f.technique = nameOf(Technique::Geometry);
+    f.shadowMask = 0;
+    ViewSettings s;
+    s.width = 96 * times, s.height = 72 * times, s.msaa = 4;
+    EXPECT_TRUE(r.draw(p, {{10, 9, 5}, {10, 0, 10}, 50, 0}, s));
+    return brightness(r.readLinear());
+}
+// Each drawn in the coarse picture, too, they differ by 0.008; thinned and not widened by 0.08.
+TEST(GroundShadow, ThoseThatStandForOthersTakeAsMuchLight) {
+    NoGlErrors errors;
+    Renderer r(gpu(), tables());
+    const double coarse = lightOfLawn(r, 1), fine = lightOfLawn(r, 8);
+    printf("light of the lawn %.4f, where each blade has its shadow %.4f\n", coarse, fine);
+    EXPECT_NEAR(coarse / fine, 1, 0.02);
 }
 
 }  // namespace
