@@ -13,10 +13,37 @@
 
 layout(location = 0) uniform int light;  // 0: the sun; i: lamp i - 1
 
+const int kMostLooks = 12;
+const float kFiner = 1.0;  // levels: each look is blurred by a texel and more, which a pixel's samples do anyway
+
 in vec3 position;
 in vec2 place;
 in vec3 normal;
 out vec4 color;
+
+// Share of a light that the grass keeps off a place. In the mean it is farOpacity's. Where a pixel is narrower than
+// what the light's ray crosses of the grass, blades throw shadows of their own: the ray looks at as many places as the
+// slice's optical depth lies on it, which hide the light from each other by chance, as blades do.
+// r: where the ray meets the slice. high: the light's sine.
+float shadeOf(Repeated r, vec3 towards, float high, float density, float tall, float laid) {
+    vec4 stored;
+    float mean = farOpacity(sliceThreshold, r, density, tall, high, 0.0, laid, stored);
+    float slant = sqrt(1.0 - high * high) / high, crossed = slices.meanHeight * max(slant, laid),
+          pixel = max(length(r.dx), length(r.dy)) / slices.sharpness;
+    if (!CONSERVING || !(pixel < crossed) || !(mean > 0.0)) return mean;
+    float depth = depthFactor(high, 0.0, laid) * tall, left = 1.0 - min(mean, 0.9999);
+    int looks = int(clamp(ceil(depth), 1.0, float(kMostLooks)));
+    float each = (1.0 - pow(left, 1.0 / float(looks))) / max(1.0 - pow(left, 1.0 / max(depth, 1e-3)), 1e-4),
+          level = clamp(log2(frame.lookShare * pixel * slices.farTexels) - kFiner, 0.0, 16.0);
+    vec2 apart = towards.xz / max(length(towards.xz), 1e-4) * r.mirror * (crossed / float(looks));
+    float through = 1.0;
+    for (int i = 0; i < looks; ++i) {
+        vec3 texel = vec3(r.texel.xy + apart * (0.5 * float(looks - 1) - float(i)), r.texel.z);
+        vec4 here = textureLod(sliceThreshold, texel, level);
+        through *= 1.0 - min(each * storedOpacity(here, density, level, chanceOf(r.cell)), 1.0);
+    }
+    return 1.0 - through;
+}
 
 void main() {
     float d = length(position);
@@ -26,9 +53,8 @@ void main() {
     float grown = fieldDensity(uv), tall = bladeShareSeen(uv), density = sliceDensity(grown, here);
     if (!(density * near > 0.0) || !(towards.y > 0.0)) discard;
     float high = max(towards.y, 0.2);  // lower light throws no longer shadows
-    vec4 stored;
-    float opacity = farOpacity(sliceThreshold, repeated(position.xz + towards.xz * (slices.farHeight / high)), density,
-                               tall, high, 0.0, laidBy(forceHere(position.xz, uv)), stored);
+    Repeated r = repeated(position.xz + towards.xz * (slices.farHeight / high));
+    float opacity = shadeOf(r, towards, high, density, tall, laidBy(forceHere(position.xz, uv)));
     SpeciesInField kind = field.species[slices.species];
     vec3 n = normalize(normal);
     SoilShares soil = soilShares(
