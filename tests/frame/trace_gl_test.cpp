@@ -105,7 +105,7 @@ TEST(Trace, RemovingEachComponentLeavesTheSceneThatNeverHadIt) {
 
 // All components of the table, dealt out into a few handfuls, and each handful gone at once: sooner than one by one.
 TEST(Trace, RemovingHandfulsOfComponentsLeavesTheSceneThatNeverHadThem) {
-    constexpr size_t kHandfuls = 3;
+    constexpr size_t kHandfuls = 2;
     const std::vector<const ComponentRow*> rows = rowsOf(everything());
     std::vector<Removal> removals;
     for (size_t hand = 0; hand < kHandfuls; ++hand)
