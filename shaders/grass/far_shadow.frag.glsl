@@ -14,7 +14,7 @@
 layout(location = 0) uniform int light;  // 0: the sun; i: lamp i - 1
 
 const int kMostLooks = 12;
-const float kFiner = 1.0;  // levels: each look is blurred by a texel and more, which a pixel's samples do anyway
+const float kFiner = 0.5;  // of a pixel's width: a look is blurred by a texel and more, which samples do anyway
 
 in vec3 position;
 in vec2 place;
@@ -23,7 +23,8 @@ out vec4 color;
 
 // Share of a light that the grass keeps off a place. In the mean it is farOpacity's. Where a pixel is narrower than
 // what the light's ray crosses of the grass, blades throw shadows of their own: the ray looks at as many places as the
-// slice's optical depth lies on it, which hide the light from each other by chance, as blades do.
+// slice's optical depth lies on it, which hide the light from each other by chance, as blades do. Looks get as coarse
+// as the mean where a pixel gets as wide, so that no line is seen there.
 // r: where the ray meets the slice. high: the light's sine.
 float shadeOf(Repeated r, vec3 towards, float high, float density, float tall, float laid) {
     vec4 stored;
@@ -34,7 +35,8 @@ float shadeOf(Repeated r, vec3 towards, float high, float density, float tall, f
     float depth = depthFactor(high, 0.0, laid) * tall, left = 1.0 - min(mean, 0.9999);
     int looks = int(clamp(ceil(depth), 1.0, float(kMostLooks)));
     float each = (1.0 - pow(left, 1.0 / float(looks))) / max(1.0 - pow(left, 1.0 / max(depth, 1e-3)), 1e-4),
-          level = clamp(log2(frame.lookShare * pixel * slices.farTexels) - kFiner, 0.0, 16.0);
+          finer = mix(frame.lookShare * kFiner, 1.0, (pixel / crossed) * (pixel / crossed)),
+          level = clamp(log2(finer * pixel * slices.farTexels), 0.0, 16.0);
     vec2 apart = towards.xz / max(length(towards.xz), 1e-4) * r.mirror * (crossed / float(looks));
     float through = 1.0;
     for (int i = 0; i < looks; ++i) {

@@ -73,8 +73,6 @@ TEST(Raytraced, CoversAndShinesAsTheBladesThatItStandsFor) {
     }
 }
 
-// Where no map says how much grows, a shorter program looks slices up; over a map that is full everywhere, the long
-// one.
 // What differs between pixels of bare soil that rays' grass shades, by what differs where blades shade it one by one.
 TEST(Raytraced, ShadesTheSoilBladeByBlade) {
     NoGlErrors errors;
@@ -99,6 +97,8 @@ TEST(Raytraced, ShadesTheSoilBladeByBlade) {
     EXPECT_NEAR(rays.second / unshaded.second, blades.second / bladesUnshaded.second, 0.06) << "in the mean as much";
 }
 
+// Where no map says how much grows, a shorter program looks slices up; over a map that is full everywhere, the long
+// one.
 TEST(Raytraced, GrassThatIsWholeLooksAsAFullMapHasIt) {
     NoGlErrors errors;
     Project p = meadow(Technique::Raytraced);
