@@ -2,6 +2,7 @@
 #include "forest/stand.h"
 #include "forest/texcells.h"
 #include "forest/trees.h"
+#include "grass/far_shadow.h"
 #include "grass/field.h"
 #include "grass/flowers.h"
 #include "grass/force_outlines.h"

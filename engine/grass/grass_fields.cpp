@@ -131,14 +131,16 @@ FeatureSet populationFeatures(const GrassField& g) {
 FeatureSet settingsFeatures(const FieldEntity& field, const FeatureSet& drawn) {
     const auto& drawing = field.settings<GrassDrawing>();
     const auto& far = field.settings<FarLook>();
-    const bool stands =
-        has(drawn, Feature::GrassGeometry) || has(drawn, Feature::GrassSlices) || has(drawn, Feature::GrassRaytraced);
-    const bool blades = has(drawn, Feature::GrassGeometry) || has(drawn, Feature::GrassTessellated);
+    const bool tessellated = has(drawn, Feature::GrassTessellated);
+    const bool blades = has(drawn, Feature::GrassGeometry) || tessellated;
+    // Tessellated blades throw no shadows: the horizontal slice does in their stead.
+    const bool shades = has(drawn, Feature::GrassGeometry) || has(drawn, Feature::GrassSlices) ||
+                        has(drawn, Feature::GrassRaytraced) || (tessellated && has(drawn, Feature::GrassFar));
     FeatureSet s;
     if (drawing.transparency != Transparency::Coverage) s |= featureSet(Feature::GrassBlended);
     if (drawn.any() && drawing.shadowMask > 0) s |= featureSet(Feature::BladeShadows);
     if (has(s, Feature::BladeShadows) && drawing.bakeLight == BakeLight::Traced) s |= featureSet(Feature::GrassTraced);
-    if (stands && drawing.groundShadows) s |= featureSet(Feature::GroundShadows);
+    if (shades && drawing.groundShadows) s |= featureSet(Feature::GroundShadows);
     if (blades && field.grows.population == Population::Unique) s |= featureSet(Feature::GrassUnique);
     if (far.farBlur != FarBlur::None) s |= featureSet(Feature::FarBlur);
     if (far.farDarkening > 0) s |= featureSet(Feature::FarDarkening);

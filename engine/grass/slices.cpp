@@ -34,10 +34,6 @@ struct FarView : EffectState {
     Buffer nodes;
     std::vector<FarGround> selected;  // of this frame
 };
-struct FarShadowState : EffectState {
-    Buffer nodes;
-};
-
 bool slicesAreShaded(const FeatureSet& features) {
     return has(features, Feature::BladeShadows) && has(features, Feature::CastingLights);
 }
@@ -276,23 +272,6 @@ void drawSlices(DrawContext& ctx) {
 }
 
 // --- the horizontal slice ----------------------------------------------------------------------------------
-// Nodes that reach beyond the distance where blades are all there
-// and begin before `far`.
-std::vector<TerrainNode> farNodes(const DrawContext& ctx, const Field& f, float far) {
-    std::vector<TerrainNode> out;
-    const float near = f.view->tiers.flatFrom;
-    for (const TerrainNode& n : ctx.shared.groundMesh.nodes) {
-        const float side = 16 * n.spacing;
-        const glm::vec2 low = n.corner, high = low + glm::vec2(side), reach = glm::max(glm::abs(low), glm::abs(high));
-        const float tall = std::max(std::abs(static_cast<float>(ctx.eye.y) - ctx.shared.bounds.low),
-                                    std::abs(static_cast<float>(ctx.eye.y) - ctx.shared.bounds.high));
-        if (glm::length(glm::vec3(reach.x, reach.y, tall)) > near &&
-            glm::length(glm::max(glm::max(low, -high), glm::vec2(0))) < far)
-            out.push_back(n);
-    }
-    return out;
-}
-
 void bakeFar(DrawContext& ctx) { makeSlices(ctx, Feature::GrassFar); }
 
 void selectFar(DrawContext& ctx) {
@@ -315,14 +294,7 @@ void filterFar(GLuint texture, Filtering filtering) {
     glTextureParameterf(texture, GL_TEXTURE_MAX_ANISOTROPY, anisotropic ? 8.0f : 1.0f);
 }
 
-// A species of a field whose horizontal slice is drawn.
-struct FarSpecies {
-    const Field* field;
-    size_t species;
-    std::span<const TerrainNode> nodes;
-    const FieldSpecies& drawn() const { return field->species[species]; }
-    const GrownSpecies& grown() const { return *drawn().grown; }
-};
+const GrownSpecies& grownOf(const FarSpecies& far) { return *far.field->species[far.species].grown; }
 
 // From the lowest slice to the highest: they are blended over each other without depth, and eyes are above.
 std::vector<FarSpecies> lowestFirst(const FarView& state) {
@@ -330,17 +302,9 @@ std::vector<FarSpecies> lowestFirst(const FarView& state) {
     for (const FarGround& ground : state.selected)
         for (size_t i = 0; i < ground.field->species.size(); ++i) order.push_back({ground.field, i, ground.nodes});
     std::stable_sort(order.begin(), order.end(), [](const FarSpecies& a, const FarSpecies& b) {
-        return a.grown().slices.top < b.grown().slices.top;
+        return grownOf(a).slices.top < grownOf(b).slices.top;
     });
     return order;
-}
-
-void drawFarSpecies(DrawContext& ctx, const FarSpecies& far, const Buffer& room) {
-    const GrownSpecies& s = far.grown();
-    if (s.density) glBindTextureUnit(TEX_DENSITY, s.density);
-    bindSlices(far.drawn(), s.slices.farReflectance.id(), s.slices.farThreshold.id(), s.slices.farLight.id());
-    ctx.pass->draws += drawNodes(ctx.shared.groundMesh, far.nodes, room);
-    ctx.pass->instances += far.nodes.size();
 }
 
 void beginFar(const DrawContext& ctx, const Field& field) {
@@ -364,39 +328,11 @@ void drawFar(DrawContext& ctx) {
             beginFar(ctx, *far.field);
         }
         begun = far.field;
-        const GrownSpecies& s = far.grown();
+        const GrownSpecies& s = grownOf(far);
         for (const Texture* t : {&s.slices.farReflectance, &s.slices.farThreshold, &s.slices.farLight})
             filterFar(t->id(), far.field->view->settings<GrassSlices>().filtering);
         drawFarSpecies(ctx, far, state.nodes);
     }
-    glDepthMask(GL_TRUE);
-    glDisable(GL_BLEND);
-}
-
-void drawFieldShadow(DrawContext& ctx, const Field& field, const Buffer& room) {
-    const std::vector<TerrainNode> shaded = farNodes(ctx, field, field.view->tiers.shadowsTo);
-    if (shaded.empty() || !ctx.use(0, fieldConstants(field.view->of), &field.view->constants)) return;
-    bindField(field);
-    const bool sun = has(ctx.plan.features, Feature::Sun) && ctx.globals.sunIsUp > 0 && ctx.globals.sunCasts > 0;
-    const int lamps = ctx.shared.lights.casting;
-    for (int light = sun ? 0 : 1; light <= lamps; ++light)
-        for (size_t i = 0; i < field.species.size(); ++i) {
-            glUniform1i(0, light);
-            drawFarSpecies(ctx, {&field, i, shaded}, room);
-        }
-}
-
-// Its shadow on the ground, for each light that casts shadows.
-void drawFarShadow(DrawContext& ctx) {
-    FarShadowState& state = ctx.own<FarShadowState>();
-    if (ctx.settings.mode != ViewMode::Final || !ctx.shared.grass) return;
-    if (!state.nodes.id())
-        state.nodes = makeBuffer(ctx.gpu, "grass/far-shadow", NODES_PER_DRAW * sizeof(TerrainNode), nullptr);
-    glEnable(GL_BLEND);
-    glBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
-    glDepthMask(GL_FALSE);
-    for (const Field* field : fieldsWith(ctx, Feature::GrassFar))
-        if (field->draws(Feature::GroundShadows)) drawFieldShadow(ctx, *field, state.nodes);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
 }
@@ -420,16 +356,6 @@ const Pass kFarPasses[] = {{"grass/far",
                             kFarPrograms,
                             drawFar,
                             featureSet(Feature::GrassBlended)}};
-const ProgramRow kFarShadowPrograms[] = {
-    {"grass/far-shadow", "terrain/ground.vert.glsl", "grass/far_shadow.frag.glsl", nullptr, fieldVariants}};
-const Pass kFarShadowPasses[] = {
-    {"grass/far-shadow",
-     Stage::FarShadow,
-     kViewMain,
-     {.reads = {Slot::Grass, Slot::GroundNodes, Slot::FarGround, Slot::Forces, Slot::Shadows, Slot::Lamps},
-      .appends = {Slot::SceneColor}},
-     kFarShadowPrograms,
-     drawFarShadow}};
 const Pass kSlicePasses[] = {{"grass/slices",
                               Stage::Slices,
                               kViewMain | kViewReflection,
@@ -462,6 +388,30 @@ float risesFrom(const Field& field, float height) {
 }
 
 }  // namespace
+
+std::vector<TerrainNode> farNodes(const DrawContext& ctx, const Field& f, float far) {
+    std::vector<TerrainNode> out;
+    const float near = f.view->tiers.flatFrom;
+    for (const TerrainNode& n : ctx.shared.groundMesh.nodes) {
+        const float side = 16 * n.spacing;
+        const glm::vec2 low = n.corner, high = low + glm::vec2(side), reach = glm::max(glm::abs(low), glm::abs(high));
+        const float tall = std::max(std::abs(static_cast<float>(ctx.eye.y) - ctx.shared.bounds.low),
+                                    std::abs(static_cast<float>(ctx.eye.y) - ctx.shared.bounds.high));
+        if (glm::length(glm::vec3(reach.x, reach.y, tall)) > near &&
+            glm::length(glm::max(glm::max(low, -high), glm::vec2(0))) < far)
+            out.push_back(n);
+    }
+    return out;
+}
+
+void drawFarSpecies(DrawContext& ctx, const FarSpecies& far, const Buffer& room) {
+    const GrownSpecies& s = grownOf(far);
+    if (s.density) glBindTextureUnit(TEX_DENSITY, s.density);
+    bindSlices(far.field->species[far.species], s.slices.farReflectance.id(), s.slices.farThreshold.id(),
+               s.slices.farLight.id());
+    ctx.pass->draws += drawNodes(ctx.shared.groundMesh, far.nodes, room);
+    ctx.pass->instances += far.nodes.size();
+}
 
 void bindVerticalSlices(const DrawContext& ctx, const Field& field, size_t i, SliceLevels levels) {
     const FieldSpecies& species = field.species[i];
@@ -571,16 +521,6 @@ const EffectRow& farEffect() {
         .help = "far grass is one slice over the ground",
         .makeView = [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<FarView>(); },
         .follows = kFarFollows};
-    return row;
-}
-const EffectRow& farShadowEffect() {
-    static const EffectRow row{
-        "grass/far-shadow",
-        featureSet(Feature::GrassFar, Feature::Grass, Feature::Terrain, Feature::GroundShadows, Feature::CastingLights),
-        {},
-        kFarShadowPasses,
-        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<FarShadowState>(); },
-        "slices shade the ground"};
     return row;
 }
 const EffectRow& slicesEffect() {

@@ -17,15 +17,15 @@
 #include "scene/project.h"
 #include "scene/technique.h"
 #include "shared/slices.h"
+#include "shared/terrain.h"
 
 namespace sward {
 
 struct Field;       // grass/field.h
 struct GrownField;  // grass/grown.h
 
-const EffectRow& slicesEffect();     // vertical
-const EffectRow& farEffect();        // horizontal; makes and holds the slices of both
-const EffectRow& farShadowEffect();  // of the horizontal one on the ground
+const EffectRow& slicesEffect();  // vertical
+const EffectRow& farEffect();     // horizontal; makes and holds the slices of both
 
 // How images are read between two levels of detail: blended, or by the nearer one, for who chooses that at random.
 enum class SliceLevels { Blended, One };
@@ -37,6 +37,19 @@ void makeSlices(DrawContext& ctx, Feature feature);
 SliceGlobals sliceGlobalsOf(const DrawContext& ctx, const Field& field, size_t species);
 // Whether a field's vertical slices are drawn or traced, so that their images are there.
 bool showsVertical(const GrownField& field);
+
+// A species of a field whose horizontal slice is drawn, or shades what is below it, over these nodes of the ground.
+struct FarSpecies {
+    const Field* field;
+    size_t species;
+    std::span<const TerrainNode> nodes;
+};
+// The nodes of the ground under a field's horizontal slices: where not all of it is drawn blade by blade, to so far
+// from the eye (m).
+std::vector<TerrainNode> farNodes(const DrawContext& ctx, const Field& field, float far);
+// Draws these nodes by the program in use, with the species' images; its field is bound. room: holds NODES_PER_DRAW
+// nodes.
+void drawFarSpecies(DrawContext& ctx, const FarSpecies& far, const Buffer& room);
 
 // What the slices of a field's species (by its number) are made from. shaded: with the blades' shadows on each other;
 // draft: an eighth of the resolution, made while one waits.

@@ -22,7 +22,7 @@ FieldTiers tiers(const FieldEntity& field, float pixelsPerMetre) {
     t.blades = {own.maxDistance, -1, own.maxDistance};
     t.images = fadeRange(own.lowerFrom * own.maxDistance, own.maxDistance);  // take over while blades get lower
     t.flat = fadeRange(slices.minBTF, slices.maxBTF);
-    t.soil = fadeRange(0, 0);  // soil is shaded in the mean alone
+    t.soil = t.flat;
     t.shadowsTo = std::max(slices.maxBTF, slices.maxGeom);
     return t;
 }

@@ -11,7 +11,8 @@
 #include "numerics/lod.h"
 #include "numerics/opacity.h"
 
-layout(location = 0) uniform int light;  // 0: the sun; i: lamp i - 1
+layout(location = 0) uniform int light;         // 0: the sun; i: lamp i - 1
+layout(location = 1) uniform vec2 bladesUntil;  // distance from which blades' own shadows fade (m), and its lodInverse
 
 const int kMostLooks = 12;
 const float kFiner = 0.5;  // of a pixel's width: a look is blurred by a texel and more, which samples do anyway
@@ -50,7 +51,7 @@ float shadeOf(Repeated r, vec3 towards, float high, float density, float tall, f
 void main() {
     float d = length(position);
     vec3 towards = light == 0 ? frame.sunDirection : lampAt(light - 1, position).direction;
-    float here = lodRamp(d, slices.minGeom, slices.geomInv), near = 1.0 - lodRamp(d, field.shadeFrom, field.shadeInv);
+    float here = lodRamp(d, bladesUntil.x, bladesUntil.y), near = 1.0 - lodRamp(d, field.shadeFrom, field.shadeInv);
     vec2 uv = mapPlace(place);
     float grown = fieldDensity(uv), tall = bladeShareSeen(uv), density = sliceDensity(grown, here);
     if (!(density * near > 0.0) || !(towards.y > 0.0)) discard;

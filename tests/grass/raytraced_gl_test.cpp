@@ -73,30 +73,6 @@ TEST(Raytraced, CoversAndShinesAsTheBladesThatItStandsFor) {
     }
 }
 
-// What differs between pixels of bare soil that rays' grass shades, by what differs where blades shade it one by one.
-TEST(Raytraced, ShadesTheSoilBladeByBlade) {
-    NoGlErrors errors;
-    const auto contrast = [](Technique technique, bool shadows) {
-        Project p = meadow(technique);
-        FlatField f = flatField(p);
-        f.groundShadows = shadows;
-        f.species[0].bladesPerM2 = 300;  // so that much of the soil is seen
-        const std::vector<float> seen = raytracedPicture(p, steep());
-        double sum = 0, squares = 0;
-        for (size_t i = 0; i < seen.size(); i += 3) sum += seen[i], squares += seen[i] * seen[i];
-        const double mean = sum / (static_cast<double>(seen.size()) / 3);
-        return std::pair(squares / (static_cast<double>(seen.size()) / 3) - mean * mean, mean);
-    };
-    const auto blades = contrast(Technique::Geometry, true), bladesUnshaded = contrast(Technique::Geometry, false),
-               rays = contrast(Technique::Raytraced, true), unshaded = contrast(Technique::Raytraced, false);
-    std::printf(
-        "variance of red: blades %.6f, without shadows %.6f; rays %.6f, without %.6f; mean %.4f %.4f; %.4f %.4f\n",
-        blades.first, bladesUnshaded.first, rays.first, unshaded.first, blades.second, bladesUnshaded.second,
-        rays.second, unshaded.second);
-    EXPECT_GT(rays.first - unshaded.first, 0.3 * (blades.first - bladesUnshaded.first));
-    EXPECT_NEAR(rays.second / unshaded.second, blades.second / bladesUnshaded.second, 0.06) << "in the mean as much";
-}
-
 // Where no map says how much grows, a shorter program looks slices up; over a map that is full everywhere, the long
 // one.
 TEST(Raytraced, GrassThatIsWholeLooksAsAFullMapHasIt) {
