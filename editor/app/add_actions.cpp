@@ -39,24 +39,29 @@ void add(Document& doc, const ViewCamera& view, Selection& selection, Messages& 
     say(messages, "new: " + name);
 }
 
-// A pond to dig: its water's entity, which may be there already, and its level in the terrain's heights.
+// A pond to dig: its water's entity, which may be there already, its level and its floor in the terrain's heights.
 struct Pond {
     std::string name;
-    double level = 0;
+    double level = 0, floor = 0;
     bool fresh = true;
 };
 
 // Where a water stands over the place, or no deeper below the ground there than a pond is, a hollow lets it in;
-// anywhere else the pond has a water of its own, below its rim. at, here: the middle and the ground's height there,
-// relative to the terrain's corner.
+// anywhere else the pond has a water of its own, below its rim; where the rim lies in another water, as high as that,
+// so that both are one. at, here: the middle and the ground's height there, relative to the terrain's corner.
 Pond pondAt(const Project& p, const Ground& ground, const glm::dvec2& at, double here) {
     const std::vector<WaterPlace> waters = watersOf(p, ground);
     const auto fills = [&](const WaterPlace& w) {
         return within(w, at.x, at.y) && here - static_cast<double>(w.water->level) < kPondDepth;
     };
     const auto own = std::find_if(waters.rbegin(), waters.rend(), fills);
-    if (own != waters.rend()) return {entityOf(p, *own->water), static_cast<double>(own->water->level), false};
-    return {freeName(p, "pond"), lowestAlongRim(*ground.terrain, at, kPondRadius) - kBelowRim, true};
+    if (own != waters.rend()) {
+        const double level = own->water->level;
+        return {entityOf(p, *own->water), level, std::min(level, here) - kPondDepth, false};
+    }
+    const RimLow rim = lowestAlongRim(*ground.terrain, waters, at, kPondRadius);
+    const double level = rim.wet ? rim.height : rim.height - kBelowRim;
+    return {freeName(p, "pond"), level, level - kPondDepth, true};
 }
 
 Status addWater(Document& doc, const Pond& pond, const glm::dvec3& at) {
@@ -107,7 +112,7 @@ void addPond(Document& doc, Waiting& waiting, const ViewCamera& view, Selection&
     const Ground ground = doc.ground();
     const double base = ground.origin.y, here = at->y - base;
     const Pond pond = pondAt(doc.project(), ground, {at->x - ground.origin.x, at->z - ground.origin.z}, here);
-    const Hollow hollow{{at->x, at->z}, kPondRadius, std::max(kPondDepth, here - pond.level + kPondDepth), pond.level};
+    const Hollow hollow{{at->x, at->z}, kPondRadius, pond.floor, pond.level};
     const glm::dvec3 place = glm::round(glm::dvec3(at->x, base + pond.level, at->z) * 1e3) / 1e3;
     const auto dig = [hollow, pond, place](Document& d, JobControl&) {
         return inOneStep(d, (pond.fresh ? "add " : "dig into ") + pond.name, [&]() -> Status {

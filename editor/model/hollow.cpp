@@ -45,12 +45,11 @@ Status lower(Document& doc, const std::string& entity, const Hollow& h, const gl
         if (Status s = heightsAsFloats(doc); !s) return s;
         t = doc.project().registry.get<Terrain>(findEntity(doc.project(), entity));
     }
-    const double floor = lowestAlongRim(*t, middle, h.radius) - h.depth;
     Map heights = t->height.map;
     changeWithin(heights, t->size, middle, h.radius, [&](double was, double x, double z) {
         const double out = glm::length(glm::dvec2(x, z) - middle) / h.radius;
         const double share = 1 - out * out * (3 - 2 * out);  // smooth at the rim and in the middle
-        return std::min(was, was + (floor - was) * share);
+        return std::min(was, was + (h.floor - was) * share);
     });
     return doc.setMap(path, std::move(heights), "dig");
 }
@@ -75,11 +74,15 @@ Status bare(Document& doc, const std::string& entity, const Hollow& h, const glm
 
 }  // namespace
 
-double lowestAlongRim(const Terrain& t, const glm::dvec2& middle, double radius) {
-    double low = 1e30;
+RimLow lowestAlongRim(const Terrain& t, std::span<const WaterPlace> waters, const glm::dvec2& middle, double radius) {
+    RimLow low{1e30};
     for (int i = 0; i < 32; ++i) {
         const double a = 2 * 3.14159265358979 * i / 32;
-        low = std::min(low, terrainHeight(t, middle.x + radius * std::cos(a), middle.y + radius * std::sin(a)));
+        const glm::dvec2 at = middle + radius * glm::dvec2(std::cos(a), std::sin(a));
+        RimLow here{terrainHeight(t, at.x, at.y)};
+        for (const WaterPlace& w : waters)
+            if (const double level = w.water->level; level > here.height && within(w, at.x, at.y)) here = {level, true};
+        if (here.height < low.height) low = here;
     }
     return low;
 }

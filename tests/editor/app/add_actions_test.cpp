@@ -116,7 +116,7 @@ TEST_F(AddMenu, EachPondHasALevelOfItsOwnBelowTheLowestOfItsRim) {
         const Water& water = get<Water>(name);
         const glm::dvec3 at = get<Transform>(name).position;
         EXPECT_NEAR(at.y, double(water.level), 1e-3) << name;
-        const double rim = lowestAlongRim(*ground.terrain, {at.x, at.z}, double(water.radius));
+        const double rim = lowestAlongRim(*ground.terrain, {}, {at.x, at.z}, double(water.radius)).height;
         EXPECT_GT(rim, double(water.level)) << name << " runs over";
         EXPECT_LT(rim, double(water.level) + 0.3) << name;
         EXPECT_LT(terrainHeight(*ground.terrain, at.x, at.z), double(water.level) - 0.8) << name;
@@ -136,6 +136,18 @@ TEST_F(AddMenu, AHollowWhereWaterStandsCloseBelowLetsItIn) {
     ASSERT_TRUE(doc.setField("lake.Water.level", "-30"));
     addPond(doc, waiting, view, selection, messages);
     EXPECT_TRUE(doc.project().entities.contains("pond")) << "not thirty metres deep";
+}
+
+// The rim of the second lies in the first, whose floor is no ground that water would run down to.
+TEST_F(AddMenu, APondBesideAPondStandsAsHighAndIsNoDeeper) {
+    addPond(doc, waiting, view, selection, messages);
+    view = {{28, 5, 30}, {28, 0, 20}, 55, 0};
+    addPond(doc, waiting, view, selection, messages);
+    ASSERT_TRUE(doc.project().entities.contains("pond-2"));
+    EXPECT_EQ(get<Water>("pond-2").level, get<Water>("pond").level);
+    const Terrain& ground = get<Terrain>("ground");
+    EXPECT_NEAR(terrainHeight(ground, 28, 20), terrainHeight(ground, 20, 20), 0.05);
+    EXPECT_LT(terrainHeight(ground, 24, 20), get<Water>("pond").level) << "one water";
 }
 
 TEST_F(AddMenu, APondInTheSkyIsRefused) {

@@ -1,4 +1,4 @@
-// Hollows: as deep as asked below their rim, bare below the waterline, one undo step.
+// Hollows: as deep as asked, bare below the waterline, one undo step.
 #include "model/hollow.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ class Hollows : public testing::Test {
 
 TEST_F(Hollows, LevelGroundIsLoweredWithinTheRimAloneAndBareBelowTheWater) {
     const Project before = snapshot(doc.project(), tables().components);
-    ASSERT_TRUE(digHollow(doc, {{20, 15}, 6, 1.5, -0.2}));
+    ASSERT_TRUE(digHollow(doc, {{20, 15}, 6, -1.5, -0.2}));
     EXPECT_NEAR(height(20, 15), -1.5, 0.02);
     EXPECT_NEAR(height(26.2, 15), 0, 1e-6);
     EXPECT_LT(height(23, 15), -0.2);
@@ -39,11 +39,11 @@ TEST_F(Hollows, LevelGroundIsLoweredWithinTheRimAloneAndBareBelowTheWater) {
 
 TEST_F(Hollows, WithoutGroundOrWithHeightsThatRepeatItSaysSo) {
     ASSERT_TRUE(doc.setField("ground.Terrain.mapSize", "10"));
-    const Status repeats = digHollow(doc, {{20, 15}, 6, 1.5, -0.2});
+    const Status repeats = digHollow(doc, {{20, 15}, 6, -1.5, -0.2});
     ASSERT_FALSE(repeats);
     EXPECT_NE(repeats.error().text().find("repeat"), std::string::npos);
     ASSERT_TRUE(doc.removeEntity("ground"));
-    EXPECT_FALSE(digHollow(doc, {{20, 15}, 6, 1.5, -0.2}));
+    EXPECT_FALSE(digHollow(doc, {{20, 15}, 6, -1.5, -0.2}));
 }
 
 }  // namespace
