@@ -46,20 +46,21 @@ struct Pond {
     bool fresh = true;
 };
 
-// Where a water stands over the place, or no deeper below the ground there than a pond is, a hollow lets it in;
-// anywhere else the pond has a water of its own, below its rim; where the rim lies in another water, as high as that,
-// so that both are one. at, here: the middle and the ground's height there, relative to the terrain's corner.
+// Where a water stands over the place, no deeper below the ground there than a pond is, or reaches its rim, a hollow
+// lets it in; anywhere else the pond has a water of its own, below its rim; where the rim lies in another water, as
+// high as that, so that both are one. at, here: the middle and the ground's height there, relative to the terrain's
+// corner.
 Pond pondAt(const Project& p, const Ground& ground, const glm::dvec2& at, double here) {
     const std::vector<WaterPlace> waters = watersOf(p, ground);
+    const RimLow rim = lowestAlongRim(*ground.terrain, waters, at, kPondRadius);
     const auto fills = [&](const WaterPlace& w) {
-        return within(w, at.x, at.y) && here - static_cast<double>(w.water->level) < kPondDepth;
+        const double level = w.water->level;
+        return within(w, at.x, at.y) && (here - level < kPondDepth || (rim.wet && level == rim.height));
     };
-    const auto own = std::find_if(waters.rbegin(), waters.rend(), fills);
-    if (own != waters.rend()) {
+    if (const auto own = std::find_if(waters.rbegin(), waters.rend(), fills); own != waters.rend()) {
         const double level = own->water->level;
         return {entityOf(p, *own->water), level, std::min(level, here) - kPondDepth, false};
     }
-    const RimLow rim = lowestAlongRim(*ground.terrain, waters, at, kPondRadius);
     const double level = rim.wet ? rim.height : rim.height - kBelowRim;
     return {freeName(p, "pond"), level, level - kPondDepth, true};
 }

@@ -94,20 +94,20 @@ TEST_F(AddMenu, APondBelowLayersOfHeightsSaysSo) {
     EXPECT_EQ(messages.status, "new: pond, dug below 1 layer");
 }
 
-// A plane that rises by two metres along x.
-void raiseAlongX(Document& doc) {
+// A plane that rises by so many metres along x.
+void raiseAlongX(Document& doc, float metres) {
     ASSERT_TRUE(doc.createMap("ground.Terrain.height"));
     Map heights =
         static_cast<const MapField*>(findField(doc.project(), doc.tables().components, "ground.Terrain.height")->value)
             ->map;
     for (int j = 0; j < heights.info().height; ++j)
         for (int i = 0; i < heights.info().width; ++i)
-            heights.set(i, j, 0, 2 * (static_cast<float>(i) + 0.5f) / static_cast<float>(heights.info().width));
+            heights.set(i, j, 0, metres * (static_cast<float>(i) + 0.5f) / static_cast<float>(heights.info().width));
     ASSERT_TRUE(doc.setMap("ground.Terrain.height", std::move(heights), "raise"));
 }
 
 TEST_F(AddMenu, EachPondHasALevelOfItsOwnBelowTheLowestOfItsRim) {
-    raiseAlongX(doc);
+    raiseAlongX(doc, 2);
     addPond(doc, waiting, view, selection, messages);
     view = {{32, 6, 20}, {32, 1.6, 10}, 55, 0};
     addPond(doc, waiting, view, selection, messages);
@@ -148,6 +148,18 @@ TEST_F(AddMenu, APondBesideAPondStandsAsHighAndIsNoDeeper) {
     const Terrain& ground = get<Terrain>("ground");
     EXPECT_NEAR(terrainHeight(ground, 28, 20), terrainHeight(ground, 20, 20), 0.05);
     EXPECT_LT(terrainHeight(ground, 24, 20), get<Water>("pond").level) << "one water";
+}
+
+// The ground in its middle lies three metres over the lake, but the rim reaches it.
+TEST_F(AddMenu, AHollowInASteepBankLetsTheLakeIn) {
+    raiseAlongX(doc, 20);
+    ASSERT_TRUE(doc.addEntity("lake"));
+    ASSERT_TRUE(doc.addComponent("lake", "Water"));
+    ASSERT_TRUE(doc.setField("lake.Water.level", "7.5"));
+    view = {{20, 15, 30}, {20, 10, 20}, 55, 0};
+    addPond(doc, waiting, view, selection, messages);
+    EXPECT_FALSE(doc.project().entities.contains("pond")) << "two waters of one level";
+    EXPECT_LT(terrainHeight(get<Terrain>("ground"), 20, 20), 6.5);
 }
 
 TEST_F(AddMenu, APondInTheSkyIsRefused) {
