@@ -201,13 +201,15 @@ void addLevels(const DrawnImages& images, const FieldLight& light, Gains& out) {
     const glm::vec3 far = imageSends(images.far[0], light, out.farAmbient);
     for (size_t i = 1; i < FAR_LEVELS; ++i)
         out.farLevels[i] = quotient(luminance(far), luminance(imageSends(images.far[i], light, out.farAmbient)));
-    const auto shown = [&](size_t level) {
-        return luminance(sentAlong(images.shown.levels[level],
-                                   rowsSend(images.standing, level, light, out.sliceAmbient, kRowTexels, 0),
-                                   kUsualView));
-    };
-    const float first = shown(kShownLevel);
-    for (size_t i = 0; i < SLICE_LEVELS; ++i) out.sliceLevels[i] = quotient(first, shown(i));
+    std::array<RowsSend, SLICE_LEVELS> rows;
+    for (size_t i = 0; i < SLICE_LEVELS; ++i)
+        rows[i] = rowsSend(images.standing, i, light, out.sliceAmbient, kRowTexels);
+    for (size_t high = 0; high < LOOK_ELEVATIONS; ++high) {
+        const auto shown = [&](size_t level) {
+            return luminance(sentAlong(images.shown.levels[high][level], rows[level], usualView(high)));
+        };
+        for (size_t i = 0; i < SLICE_LEVELS; ++i) out.sliceLevels[high][i] = quotient(shown(kShownLevel), shown(i));
+    }
 }
 
 // By how much brighter slices are drawn that stand for a few of the blades: they show what stands lower.
@@ -298,8 +300,7 @@ void addPaint(const std::vector<Posed>& standing, const DrawnImages& images, con
     std::vector<Posed> grey = standing;
     for (Posed& p : grey) p.color = color;
     const DrawnImages greys = colored(images, kShownLevel, color);
-    const RowsSend rows =
-        rowsSend(greys.standing, kShownLevel, light, out.sliceAmbient, kRowTexels, out.sliceLevels[kRestLevel]);
+    const RowsSend rows = rowsSend(greys.standing, kShownLevel, light, out.sliceAmbient, kRowTexels);
     const glm::vec3 far = imageSends(greys.far[0], light, out.farAmbient);
     FieldLight dull = light;
     dull.gloss = 0;  // highlights are not painted
@@ -400,8 +401,7 @@ Gains gainsOf(const Look& look, const FieldLight& light, const DrawnImages& imag
     sparse.density = kThinDensity;
     const auto standing = posed(look, glm::vec2(0), look.clumpLean);
     const glm::vec3 far = imageSends(images.far[0], light, out.farAmbient);
-    const RowsSend rows =
-        rowsSend(images.standing, kShownLevel, light, out.sliceAmbient, kRowTexels, out.sliceLevels[kRestLevel]);
+    const RowsSend rows = rowsSend(images.standing, kShownLevel, light, out.sliceAmbient, kRowTexels);
     addThinner(images, rows, out);
     for (size_t i = 0; i < LOOK_VIEWS; ++i) {
         const glm::vec3 e = lookView(i), aim = aimAlong(light, standing, e);

@@ -64,7 +64,7 @@ struct Gains {
     std::array<std::array<glm::vec3, LOOK_VIEWS>, 5> leans{};
     // As SliceGlobals has them.
     std::array<float, FAR_LEVELS> farLevels{1, 1, 1, 1, 1, 1, 1, 1};
-    std::array<float, SLICE_LEVELS> sliceLevels{1, 1, 1, 1, 1, 1, 1, 1};
+    LevelFactors sliceLevels = evenLevels();
     std::array<float, LOOK_ELEVATIONS> thinner{1, 1, 1, 1, 1, 1, 1, 1};
     glm::vec3 sliceAmbient, farAmbient;    // ambient light that their texels are taken to receive
     glm::vec3 hotSpot{0}, lampHotSpot{0};  // as SliceGlobals has them

@@ -11,7 +11,7 @@
 namespace sward {
 namespace {
 
-constexpr int kRays = 256;             // of a view
+constexpr int kRays = 1024;            // of a view
 constexpr size_t kTexels = 64;         // that are kept of a row
 constexpr size_t kFarTexels = 4096;    // of a level of the horizontal slice: a change of light takes a millisecond
 constexpr float kSeenThrough = 0.02f;  // at which a ray ends
@@ -285,6 +285,12 @@ Walked walk(const SliceSight& s, uint32_t ray) {
 
 }  // namespace
 
+LevelFactors evenLevels() {
+    LevelFactors out;
+    for (auto& levels : out) levels.fill(1);
+    return out;
+}
+
 DrawnImages drawnImagesOf(const SliceImages& images, bool vertical, SliceSets sets, const SliceStand& stand) {
     DrawnImages out;
     out.far = farImageOf(images), out.stand = stand;
@@ -340,11 +346,12 @@ ShownShares shownShares(const StandingImage& image, const SliceStand& stand) {
         out.views[i] =
             like < azimuth ? out.views[i - azimuth + like] : sharesSeen(image, kShownLevel, lookView(i), stand);
     }
-    SliceStand all = stand, few = stand;
-    all.traced = false, few.density = 1.0f / THIN_DENSITY;
-    for (size_t i = 0; i < SLICE_LEVELS; ++i) out.levels[i] = sharesSeen(image, i, kUsualView, all);
+    SliceStand few = stand;
+    few.density = 1.0f / THIN_DENSITY;
     for (size_t i = 0; i < LOOK_ELEVATIONS; ++i) {
-        out.full[i] = sharesSeen(image, kShownLevel, usualView(i), stand);
+        for (size_t level = 0; level < SLICE_LEVELS; ++level)
+            out.levels[i][level] = sharesSeen(image, level, usualView(i), stand);
+        out.full[i] = out.levels[i][kShownLevel];
         out.thin[i] = sharesSeen(image, kShownLevel, usualView(i), few);
     }
     return out;
@@ -371,7 +378,7 @@ RowShares sharesSeen(const StandingImage& image, size_t level, const glm::vec3& 
 }
 
 RowsSend rowsSend(const StandingImage& image, size_t level, const FieldLight& light, const glm::vec3& ambient,
-                  size_t texels, float rest) {
+                  size_t texels) {
     RowsSend out{};
     for (int axis = 0; axis < 2; ++axis)
         for (const bool before : {false, true}) {
@@ -381,9 +388,7 @@ RowsSend rowsSend(const StandingImage& image, size_t level, const FieldLight& li
             const auto at = static_cast<size_t>(axis);
             for (size_t row = 0; row < kSliceRows; ++row) {
                 out[at][before][row] = rowSends(image.levels[level][at][row], light, ambient, suns, texels);
-                if (rest > 0)
-                    out[at + 2][before][row] =
-                        rest * rowSends(image.levels[kRestLevel][at][row], light, ambient, suns, texels);
+                out[at + 2][before][row] = rowSends(image.levels[kRestLevel][at][row], light, ambient, suns, texels);
             }
         }
     return out;

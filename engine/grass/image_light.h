@@ -73,12 +73,16 @@ glm::vec3 lookDirection(float azimuth, float height);
 inline glm::vec3 usualView(size_t elevation) {
     return lookDirection(0.4f, static_cast<float>(elevation) / (LOOK_ELEVATIONS - 1));
 }
-inline const glm::vec3 kUsualView = lookDirection(0.4f, 0.6f);
-// What vertical slices show: to the tabulated views; by level to the usual one, without what stands for a ray's rest;
-// and by elevation, where they stand for all of the blades and for one in THIN_DENSITY.
+// Factors of vertical slices by elevation of the view and by level of what is lit.
+using LevelFactors = std::array<std::array<float, SLICE_LEVELS>, LOOK_ELEVATIONS>;
+// All of them 1.
+LevelFactors evenLevels();
+
+// What vertical slices show: to the tabulated views; by elevation and level; and by elevation, where they stand for all
+// of the blades and for one in THIN_DENSITY.
 struct ShownShares {
     std::array<RowShares, LOOK_VIEWS> views{};
-    std::array<RowShares, SLICE_LEVELS> levels{};
+    std::array<std::array<RowShares, SLICE_LEVELS>, LOOK_ELEVATIONS> levels{};
     std::array<RowShares, LOOK_ELEVATIONS> full{}, thin{};
 };
 // All of them for images that stand so.
@@ -100,9 +104,9 @@ DrawnImages colored(const DrawnImages& images, size_t level, const glm::vec3& co
 
 // e: towards the eye, unit, above the horizon; level: of detail of what is lit.
 RowShares sharesSeen(const StandingImage& image, size_t level, const glm::vec3& e, const SliceStand& stand);
-// At most so many texels of a row are read; rest: by how much brighter the rest of a ray is drawn than it says.
+// At most so many texels of a row are read.
 RowsSend rowsSend(const StandingImage& image, size_t level, const FieldLight& light, const glm::vec3& ambient,
-                  size_t texels, float rest = 1);
+                  size_t texels);
 // The mean of what rows send by their shares; e: towards the eye, which side of the slices is seen.
 glm::vec3 sentAlong(const RowShares& shares, const RowsSend& sends, const glm::vec3& e);
 // What an image of the horizontal slice sends, over cells that are mirrored all ways.

@@ -133,9 +133,10 @@ void setGains(SliceGlobals& g, bool conserving, Gains gains) {
              {&gains.slices, &gains.far, &gains.thin, &gains.laid, &gains.paintAcross, &gains.paintAbove})
             factors->fill(glm::vec3(1));
     if (!conserving) gains.leans = {}, gains.shine = {};
-    if (!conserving) gains.farLevels.fill(1), gains.sliceLevels.fill(1), gains.thinner.fill(1);
+    if (!conserving) gains.farLevels.fill(1), gains.sliceLevels = evenLevels(), gains.thinner.fill(1);
     for (int i = 0; i < FAR_LEVELS; ++i) g.farLevels[i / 4][i % 4] = gains.farLevels[static_cast<size_t>(i)];
-    for (int i = 0; i < SLICE_LEVELS; ++i) g.sliceLevels[i / 4][i % 4] = gains.sliceLevels[static_cast<size_t>(i)];
+    for (size_t i = 0; i < LOOK_ELEVATIONS * SLICE_LEVELS; ++i)
+        g.sliceLevels[i / 4][static_cast<int>(i % 4)] = gains.sliceLevels[i / SLICE_LEVELS][i % SLICE_LEVELS];
     for (int i = 0; i < LOOK_ELEVATIONS; ++i) g.thinner[i / 4][i % 4] = gains.thinner[static_cast<size_t>(i)];
     g.hotSpot = conserving ? gains.hotSpot : glm::vec3(0);
     g.lampHotSpot = conserving ? gains.lampHotSpot : glm::vec3(0);

@@ -67,7 +67,7 @@ float grownAt(Met m, Shell shell, float pixel) {
     return sliceDensity(fieldDensityOver(mapPlace(ground), pixel),
                         lodRamp(length(root), slices.minGeom, slices.geomInv));
 }
-float sunAt(Met m, Shell shell) { return shell.visible; }
+float sunAt(Met m, Shell shell) { return sunVisible(shell.start + shell.way * m.t, kOnGround); }
 vec3 paintedAt(vec3 reflectance, Met m, Shell shell, float pixel) {
     return paintedOver(reflectance, mapPlace(fromCells(m.at) + frame.eye.xz), pixel, -shell.seen);
 }
@@ -144,7 +144,6 @@ void main() {
     vec2 comesIn = toCells(shell.start.xz);
     uint grain = INSIDE ? grainAt(comesIn + way.xz, way.y, far) : grainAt(comesIn, 0.0, far);
     shell.raise = kOnGround;
-    shell.visible = sunVisible(shell.start, kOnGround);
     SliceRay ray = sliceRay(entry, direction, slices.slices, slices.slices, height);
     float scene = 0.0;
     if (ENDS_AT_SCENE) {

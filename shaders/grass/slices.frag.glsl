@@ -24,6 +24,7 @@ in vec3 ambient;
 in vec4 haze;
 in vec3 moved;
 in vec2 weights;
+in float high;  // lookHeight of the view
 layout(location = 0) out vec4 color;
 float level;  // of detail
 float fine;   // of what is lit: a mean of normals has less contrast than blades; opacity is a mean
@@ -42,7 +43,7 @@ SliceSpot spotHere() {
     s.visible = sunVisible(at, vec3(0.0));
     s.images = images;
     s.lightLayer = lightLayer;
-    float even = sliceLevel(fine);
+    float even = sliceLevel(fine, high);
     s.gain = gain * even, s.brighter = brighter, s.ambient = ambient * even;
     s.lamp = lamp;
     if (LAMPS && WEIGHTS_PER_PIXEL) lampsOnImages(at, axes, kLevel, kOnGround, s.lamp);

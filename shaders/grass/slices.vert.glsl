@@ -36,6 +36,7 @@ out vec3 ambient;
 out vec4 haze;     // its colour times the share that it has; w: what is left to the slice
 out vec3 moved;    // metres since the frame before
 out vec2 weights;  // by distance, of what slices draw; by distance and view, of that what this family shows
+out float high;    // lookHeight of the view
 
 // What the place has for the blades that slices stand for; press: how far a force lays them down.
 BladeStand standHere(vec2 inCell, vec2 uv, out float press) {
@@ -109,6 +110,7 @@ void main() {
     vec3 toEye = -foot / far, over = seenOver(toEye, slope),
          shown = plain * sharedGain(over, weights.x) * sliceGain(over, p.free - p.clump, p.clump, press, false);
     brighter = plain * laidGain(lookTap(toEye), press);
+    high = lookHeight(over);
     axes = vec4(side > 0.0 ? 1.0 : -1.0, mirror, float(axis));
     images = sunImages(levelSun(), axis, axes.x, mirror);
     gain = SUN ? shown * sunsHotSpot(toEye, press) * sunOverSlope(toEye, slope, 1.0) * frame.sunLight * frame.sunIsUp

@@ -38,7 +38,7 @@ struct Shell {
     vec3 raise;    // unit normal of the object below, 0 on the ground
     SunSeen sun;
     vec3 gain, brighter, ambient;  // as SliceSpot has them
-    float visible;  // share of the sun that is seen from where it comes in: shadows are larger than its way through
+    float visible;                 // share of the sun that is seen from where it comes in, over a mesh
 };
 
 // What has come together along a ray.
@@ -176,8 +176,7 @@ vec3 lightOf(Met m, Shell shell, vec3 at, float fine, float pixel, vec4 stored) 
     s.visible = sunAt(m, shell);
     s.images = sunImages(shell.sun, axis, side, mirror);
     s.lightLayer = side > 0.0 ? 0.0 : float(slices.layers);
-    float even = sliceLevel(fine);
-    s.gain = shell.gain * even, s.brighter = shell.brighter, s.ambient = shell.ambient * even;
+    s.gain = shell.gain, s.brighter = shell.brighter, s.ambient = shell.ambient;
     for (int c = 0; c < 3; ++c) s.lamp[c] = vec4(0.0);
     if (LAMPS) lampsOnImages(at, vec4(side, mirror, float(axis)), shell.toField, shell.raise, s.lamp);
     s.fine = fine;
@@ -310,6 +309,8 @@ void step(inout Walk walk, Shell shell, vec2 levels, float pixel) {
 Sum traced(Shell shell, SliceRay ray, uint grain) {
     // A ray's way through the shell is short: where it comes in says how fine all that it meets is.
     float pixel = pixelAt(max(length(shell.start), slices.cellSize));
+    float even = sliceLevel(levelAt(pixel, 0.7) - 1.0, lookHeight(-shell.seen));
+    shell.gain *= even, shell.ambient *= even;
     vec2 levels = vec2(levelAt(pixel, abs(shell.seen.x)), levelAt(pixel, abs(shell.seen.z)));
     levels = floor(levels + hashUnit(grain));  // one of two: twice the look-ups would blend them
     Walk walk;

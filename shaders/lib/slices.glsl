@@ -103,7 +103,16 @@ float evenLevel(vec4 factors[2], float level) {
     int fine = int(at), coarse = min(fine + 1, 7);
     return mix(factors[fine / 4][fine % 4], factors[coarse / 4][coarse % 4], at - float(fine));
 }
-float sliceLevel(float level) { return evenLevel(slices.sliceLevels, level); }
+// Factor that makes each level of vertical slices as bright. level: of what is lit; high: lookHeight of the view.
+float sliceLevel(float level, float high) {
+    float of = clamp(level, 0.0, float(SLICE_LEVELS - 1)), row = high * float(LOOK_ELEVATIONS - 1);
+    int fine = int(of), coarse = min(fine + 1, SLICE_LEVELS - 1), low = min(int(row), LOOK_ELEVATIONS - 2);
+    vec2 f = vec2(of - float(fine), row - float(low));
+    ivec4 at = SLICE_LEVELS * ivec4(low, low, low + 1, low + 1) + ivec4(fine, coarse, fine, coarse);
+    vec4 factors = vec4(slices.sliceLevels[at.x / 4][at.x % 4], slices.sliceLevels[at.y / 4][at.y % 4],
+                        slices.sliceLevels[at.z / 4][at.z % 4], slices.sliceLevels[at.w / 4][at.w % 4]);
+    return mix(mix(factors.x, factors.y, f.x), mix(factors.z, factors.w, f.x), f.y);
+}
 float farLevel(float pixel) { return evenLevel(slices.farLevels, log2(max(pixel * slices.farTexels, 1e-6))); }
 // Factor of vertical slices that stand for this share of the blades; the others are drawn one by one.
 float sharedGain(vec3 toEye, float share) {

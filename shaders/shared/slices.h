@@ -8,6 +8,7 @@
 #define LOOK_VIEWS 128
 #define FAR_LEVELS 8      // of the horizontal slice's images, from the finest on: coarser ones are as the last
 #define SLICE_LEVELS 8    // of vertical slices' images likewise
+#define LEVEL_FACTORS 16  // vec4s for factors by LOOK_ELEVATIONS and SLICE_LEVELS
 #define PAINT_SCALE 4.0   // of LookGain's factors of paint
 #define SHINE_SCALE 0.25  // of LookGain's highlights on paint
 #define THIN_DENSITY 8    // 1 / the density of LookGain's thin
@@ -42,30 +43,32 @@ struct STD140 LookGain {
 };
 
 struct STD140 SliceGlobals {
-    float cellSize;       // m
-    float top;            // height of the vertical slices (m)
-    int slices;           // along an axis
-    float reflectScale;   // reflectance at full scale
-    float minGeom;        // distance from which slices stand for blades (m)
-    float geomInv;        // its lodInverse
-    float minBTF;         // distance from which the horizontal slice stands for vertical ones (m)
-    float btfInv;         // its lodInverse
-    vec2 area;            // blade area towards x: a level view, y: the zenith (m2 a m2)
-    vec2 laidArea;        // the same of grass that lies, pressed down
-    vec2 eyeCell;         // x, z of the cell that the eye is over
-    vec2 inCell;          // where in it, in cells (B-17)
-    vec4 sunWeights;      // of the images x+, y, z+, x-; z- is what is left to 1
-    vec4 gainScale;       // greatest factor of LookGain's across, above, laid and thin
-    vec4 farLevels[2];    // by level: by how much brighter it is drawn than it says, so that all are as bright as the
-                          // first
-    vec4 thinner[2];      // by LOOK_ELEVATIONS: by how much brighter vertical slices are drawn where they stand for
-                          // one blade in THIN_DENSITY: the others, drawn one by one, do not hide what is dark there
-    vec4 sliceLevels[2];  // of vertical slices, by the level of what is lit
-    vec3 ambient;         // light from all around that vertical slices receive
-    float fade;           // omega of numerics/opacity.h
-    vec3 farAmbient;      // that the horizontal slice receives
-    float steepest;       // tangent of the elevation above which vertical slices give way
-    vec3 hotSpot;         // by what share the sun's light is brighter where one looks along it (tracedGlow)
+    float cellSize;      // m
+    float top;           // height of the vertical slices (m)
+    int slices;          // along an axis
+    float reflectScale;  // reflectance at full scale
+    float minGeom;       // distance from which slices stand for blades (m)
+    float geomInv;       // its lodInverse
+    float minBTF;        // distance from which the horizontal slice stands for vertical ones (m)
+    float btfInv;        // its lodInverse
+    vec2 area;           // blade area towards x: a level view, y: the zenith (m2 a m2)
+    vec2 laidArea;       // the same of grass that lies, pressed down
+    vec2 eyeCell;        // x, z of the cell that the eye is over
+    vec2 inCell;         // where in it, in cells (B-17)
+    vec4 sunWeights;     // of the images x+, y, z+, x-; z- is what is left to 1
+    vec4 gainScale;      // greatest factor of LookGain's across, above, laid and thin
+    vec4 farLevels[2];   // by level: by how much brighter it is drawn than it says, so that all are as bright as the
+                         // first
+    vec4 thinner[2];     // by LOOK_ELEVATIONS: by how much brighter vertical slices are drawn where they stand for
+                         // one blade in THIN_DENSITY: the others, drawn one by one, do not hide what is dark there
+    // Of vertical slices, by LOOK_ELEVATIONS and, fastest, by the level of what is lit: by how much brighter they are
+    // drawn than they say.
+    vec4 sliceLevels[LEVEL_FACTORS];
+    vec3 ambient;     // light from all around that vertical slices receive
+    float fade;       // omega of numerics/opacity.h
+    vec3 farAmbient;  // that the horizontal slice receives
+    float steepest;   // tangent of the elevation above which vertical slices give way
+    vec3 hotSpot;     // by what share the sun's light is brighter where one looks along it (tracedGlow)
     uint seed;
     vec3 lampHotSpot;      // the same of lamps: numbers of a polynomial by their elevation (tracedRise)
     int species;           // index in FieldGlobals

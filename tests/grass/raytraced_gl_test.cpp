@@ -129,6 +129,26 @@ TEST(Raytraced, FewerStepsFarAwayAreAsBrightAndCoverAsMuch) {
     }
 }
 
+// Tall grass as fine images of few slices have it, seen over its tips.
+TEST(Raytraced, CoarseSamplingIsAsBrightAsFine) {
+    NoGlErrors errors;
+    const ViewCamera over{{10, 3.2, -3.2}, {10, 0, 4}, 40, 0};
+    Project p = meadow(Technique::Raytraced);
+    FlatField f = flatField(p);
+    f.cellSize = 1, f.slices = 16, f.sliceWidth = 512, f.sliceHeight = 128, f.raytraced.footprint = 2,
+    f.raytraced.steps = 6;
+    f.species[0].height = 0.2f, f.species[0].bladesPerM2 = 2600, f.species[0].bend = 0.6f;
+    const auto by = [&](float sharpness) {
+        f.sharpness = sharpness;
+        const auto image = raytracedPicture(p, over);
+        std::printf("sharpness %g: covered %.4f, bright %.4f\n", double(sharpness), covered(image), brightness(image));
+        return brightness(image);
+    };
+    const double coarse = by(0), middle = by(2), fine = by(4);
+    EXPECT_NEAR(coarse / fine, 1, 0.04);  // 0.943 without factors
+    EXPECT_NEAR(middle / fine, 1, 0.04);
+}
+
 TEST(Raytraced, AsMiddleTierOfTheHybridIsAsBrightAsSlices) {
     NoGlErrors errors;
     Project p = meadow(Technique::Hybrid);
@@ -281,6 +301,36 @@ TEST(Raytraced, HidesWhatStandsBehindIt) {
         EXPECT_NEAR(n, blades, 0.15 * bare);
     }
     EXPECT_NE(rays, ended);
+}
+
+// The shadow of a post as tall grass shows it: on what a ray sees, not where the ray comes in over it.
+TEST(Raytraced, AThinShadowLiesOnTheBladesThatAreSeen) {
+    NoGlErrors errors;
+    const TempDir folder;
+    const auto darkened = [&](Technique technique) {
+        Project p = meadow(technique);
+        p.dir = folder.path;
+        flatField(p).species[0].height = 0.3f;
+        putObject(p, "post", {{.size = {0.12, 2, 0.12}, .color = {0.1f, 0.1f, 0.1f}}}, {11.2, 0, 8});
+        Light& sun = *p.registry.get<Light>(findEntity(p, "sun"));
+        sun.azimuthDeg = 250, sun.elevationDeg = 35;
+        const ViewCamera over{{10, 1.8, 4.5}, {10, 0, 8}, 50, 0};
+        const auto shaded = raytracedPicture(p, over);
+        sun.castShadows = false;
+        const auto lit = raytracedPicture(p, over);
+        std::vector<double> blocks(16 * 12);  // of 10 x 10 pixels
+        for (size_t i = 0; i < lit.size(); ++i)
+            blocks[i / 3 % 160 / 10 + 16 * (i / 3 / 160 / 10)] += double(lit[i] - shaded[i]);
+        return blocks;
+    };
+    const auto blades = darkened(Technique::Geometry), rays = darkened(Technique::Raytraced);
+    double both = 0, byBlades = 0, byRays = 0;
+    for (size_t i = 0; i < rays.size(); ++i)
+        both += std::max(std::min(rays[i], blades[i]), 0.0), byBlades += blades[i], byRays += rays[i];
+    std::printf("shadow of a post: on rays %.3f of that on blades, %.3f of it there\n", byRays / byBlades,
+                both / byBlades);
+    EXPECT_NEAR(byRays / byBlades, 1, 0.25);  // 0.68 where the ray comes in
+    EXPECT_GT(both / byBlades, 0.7);          // 0.60
 }
 
 TEST(Raytraced, LooksAtAsManyPixelsHoweverManySlicesThereAre) {
