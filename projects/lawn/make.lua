@@ -12,7 +12,8 @@ for _, name in ipairs(entity.list()) do entity.remove(name) end
 
 entity.add("ground", { Terrain = { beyond = "fade", size = { size, size }, groundColor = { 0.1, 0.08, 0.05 }, gridSpacing = 0.25, castShadows = true } })
 entity.add("grass", { GrassField = {
-    technique = "raytraced", cellSize = 1, slices = 16, sliceWidth = 512, sliceHeight = 128, farSize = 512,
+    -- Drawn with four samples a pixel: finer images would be grain.
+    technique = "raytraced", cellSize = 1, slices = 16, sharpness = 0.5, sliceWidth = 512, sliceHeight = 128, farSize = 512,
     species = { {
         name = "meadow", bladesPerM2 = 2600, height = 0.2, heightVariation = 0.35, width = 0.005, bend = 0.6, leanDeg = 11,
         leanVariationDeg = 15, segments = 4, clumpSize = 0.45, clumpStrength = 0.5, translucency = 0.75, gloss = 0.45,
@@ -20,7 +21,7 @@ entity.add("grass", { GrassField = {
     } },
 } })
 entity.add("turf", { GrassField = {
-    technique = "raytraced", cellSize = 1, slices = 32, sliceWidth = 512, sliceHeight = 64, farSize = 512, seed = 5,
+    technique = "raytraced", cellSize = 1, slices = 32, sharpness = 0.5, sliceWidth = 512, sliceHeight = 64, farSize = 512, seed = 5,
     species = { {
         name = "turf", bladesPerM2 = 14000, height = 0.05, heightVariation = 0.25, width = 0.003, bend = 0.3, leanDeg = 14,
         leanVariationDeg = 10, segments = 3, clumpSize = 0.3, clumpStrength = 0.35, translucency = 0.6, gloss = 0.45,
