@@ -16,7 +16,7 @@ entity.add("grass", { GrassField = {
           leanVariationDeg = 12, segments = 4, clumpSize = 0.5, clumpStrength = 0.5, translucency = 0.7, gloss = 0.4,
           rootColor = { 0.05, 0.06, 0.02 }, midColor = { 0.075, 0.125, 0.035 }, tipColor = { 0.14, 0.165, 0.055 } },
     },
-}, TessellatedBlades = { maxDistance = 45, leastPixels = 0.5, thinning = 0 } })
+}, TessellatedBlades = { levelBy = "pixels", maxDistance = 45, leastPixels = 0.5, thinning = 0 } })
 entity.add("antialias", { Antialias = { antialias = "temporal" } })
 entity.add("sun", { Light = { azimuthDeg = 150, elevationDeg = 34, intensity = 0.8 } })
 entity.add("sky", { Sky = { turbidity = 6 } })
