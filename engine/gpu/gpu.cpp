@@ -133,4 +133,18 @@ Result<std::unique_ptr<Gpu>> adoptCurrentGpu() {
     return gpu;
 }
 
+void beginDimming() {
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_ONE, GL_SRC1_COLOR, GL_ZERO, GL_ONE);
+    glDepthMask(GL_FALSE);
+}
+
+// A function that asks for a second colour may not stay, although nothing blends: Mesa refuses every later draw into
+// more than one image.
+void endDimming() {
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    glBlendFuncSeparate(GL_ONE, GL_ZERO, GL_ONE, GL_ZERO);
+}
+
 }  // namespace sward

@@ -33,4 +33,9 @@ void makeCurrent(const Gpu& gpu);
 // Takes the context that is current already (a window's).
 Result<std::unique_ptr<Gpu>> adoptCurrentGpu();
 
+// From here to endDimming a fragment's second output (layout index 1; shaders/lib/dimmed.glsl) says by what the colour
+// that was drawn is multiplied, and its first is added: alpha and depth stay. Into one image: more cannot have it.
+void beginDimming();
+void endDimming();
+
 }  // namespace sward

@@ -33,13 +33,10 @@ void drawFarShadow(DrawContext& ctx) {
     if (ctx.settings.mode != ViewMode::Final || !ctx.shared.grass) return;
     if (!state.nodes.id())
         state.nodes = makeBuffer(ctx.gpu, "grass/far-shadow", NODES_PER_DRAW * sizeof(TerrainNode), nullptr);
-    glEnable(GL_BLEND);
-    glBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
-    glDepthMask(GL_FALSE);
+    beginDimming();
     for (const Field* field : fieldsWith(ctx, Feature::GrassFar))
         if (field->draws(Feature::GroundShadows)) drawFieldShadow(ctx, *field, state.nodes);
-    glDepthMask(GL_TRUE);
-    glDisable(GL_BLEND);
+    endDimming();
 }
 
 const ProgramRow kFarShadowPrograms[] = {

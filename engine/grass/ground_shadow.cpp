@@ -109,14 +109,11 @@ void draw(DrawContext& ctx) {
     if (ctx.settings.mode != ViewMode::Final) return;
     glEnable(GL_STENCIL_TEST);
     glStencilOp(GL_KEEP, GL_KEEP, GL_INVERT);
-    glEnable(GL_BLEND);
-    glBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
-    glDepthMask(GL_FALSE);
+    beginDimming();
     const bool sun = has(ctx.plan.features, Feature::Sun) && ctx.globals.sunIsUp > 0 && ctx.globals.sunCasts > 0;
     const int lamps = std::min(ctx.shared.lights.casting, kLights - 1);
     for (int light = sun ? 0 : 1; light <= lamps; ++light) drawLight(ctx, view, light);
-    glDepthMask(GL_TRUE);
-    glDisable(GL_BLEND);
+    endDimming();
     glStencilMask(0xff);
     glDisable(GL_STENCIL_TEST);
 }

@@ -367,9 +367,7 @@ void draw(DrawContext& ctx) {
 void shade(DrawContext& ctx) {
     ShellView& view = ctx.ofView<ShellView>();
     if (ctx.settings.mode != ViewMode::Final) return;
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ZERO, GL_SRC_COLOR);
-    glDepthMask(GL_FALSE);
+    beginDimming();
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(1, 4);
     for (const Shell& shell : view.shells) {
@@ -383,8 +381,7 @@ void shade(DrawContext& ctx) {
         }
     }
     glDisable(GL_POLYGON_OFFSET_FILL);
-    glDepthMask(GL_TRUE);
-    glDisable(GL_BLEND);
+    endDimming();
 }
 
 void bake(DrawContext& ctx) { makeSlices(ctx, Feature::GrassOnMeshes); }

@@ -38,27 +38,13 @@ void update(DrawContext& ctx) {
     }
 }
 
-// Dimmed by what the fragment's second output says, and its first added: alpha stays.
-void beginBlending() {
-    glEnable(GL_BLEND);
-    glBlendFuncSeparate(GL_ONE, GL_SRC1_COLOR, GL_ZERO, GL_ONE);
-    glDepthMask(GL_FALSE);
-    glTextureBarrier();  // the depth that is tested is read as well, and nobody writes it meanwhile
-}
-// A function that asks for a second colour may not stay, although nothing blends: Mesa refuses every later draw into
-// more than one image.
-void endBlending() {
-    glDepthMask(GL_TRUE);
-    glDisable(GL_BLEND);
-    glBlendFuncSeparate(GL_ONE, GL_ZERO, GL_ONE, GL_ZERO);
-}
-
 void draw(DrawContext& ctx) {
     const SurfaceView& s = ctx.ofView<SurfaceView>();
     const bool any = std::any_of(s.waters.begin(), s.waters.end(), [](const auto& w) { return w.inView; });
     if (ctx.settings.mode != ViewMode::Final || !ctx.use(0, depthConstants(ctx.targets)) || !any) return;
     glBindTextureUnit(ctx.targets.samples > 1 ? TEX_DEPTH_SAMPLES : TEX_DEPTH, ctx.targets.depth.id());
-    beginBlending();
+    beginDimming();
+    glTextureBarrier();  // the depth that is tested is read as well, and nobody writes it meanwhile
     for (const SurfaceView::Seen& water : s.waters) {
         if (!water.inView) continue;
         glBindBufferBase(GL_UNIFORM_BUFFER, UBO_WATER, water.block.id());
@@ -67,7 +53,7 @@ void draw(DrawContext& ctx) {
         ctx.pass->draws += 1;
         ctx.pass->instances += 1;
     }
-    endBlending();
+    endDimming();
 }
 
 const System kSystems[] = {{"water/ripples", {.reads = {Slot::Ground, Slot::Reflection}}, update}};

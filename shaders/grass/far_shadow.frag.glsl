@@ -1,7 +1,8 @@
-// Shadow of the horizontal slice on the ground, by one light: what is left of its light, multiplied onto the picture.
+// Shadow of the horizontal slice on the ground, by one light: what is left of its light there.
 // The slice is followed down the light's ray (Boulanger, Pattanaik and Bouatouch 2006, section 3.5). It takes over from
 // the blades' own shadows, and gives way to the mean.
 #include "lib/density.glsl"
+#include "lib/dimmed.glsl"
 #include "lib/far.glsl"
 #include "lib/force.glsl"
 #include "lib/frame.glsl"
@@ -20,7 +21,6 @@ const float kFiner = 0.5;  // of a pixel's width: a look is blurred by a texel a
 in vec3 position;
 in vec2 place;
 in vec3 normal;
-out vec4 color;
 
 // Share of a light that the grass keeps off a place. In the mean it is farOpacity's. Where a pixel is narrower than
 // what the light's ray crosses of the grass, blades throw shadows of their own: the ray looks at as many places as the
@@ -63,5 +63,5 @@ void main() {
     SoilShares soil = soilShares(
         soilLeft(slices.area, vec2(kind.skyLeft, kind.scattered), slopeOf(n), grown, grown, tall), near, skyShare(uv));
     vec3 takes = shadowShare(light, position, n, soil);
-    color = vec4(clamp(vec3(1.0) - takes * (opacity * near), vec3(0.0), vec3(1.0)), 1.0);
+    dimSurface(clamp(vec3(1.0) - takes * (opacity * near), vec3(0.0), vec3(1.0)), hazeLight(position));
 }

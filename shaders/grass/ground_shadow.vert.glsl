@@ -17,6 +17,7 @@ layout(location = 0) uniform int light;             // 0: the sun; i: lamp i - 1
 layout(location = 1) uniform float pixelsPerMetre;  // at one metre
 
 out vec3 left;  // share of the ground's light that is left
+out vec3 haze;  // its light before the ground
 
 const float kLongest = 4.0;     // blade heights: shadows get no longer (numerics/shadow.h fades them instead)
 const float kNearer = 0.06;     // metres by which depth is let off: the ground's triangles are not quite the heights
@@ -27,7 +28,7 @@ vec3 towardsLight(vec3 at) { return light == 0 ? frame.sunDirection : lampAt(lig
 void main() {
     Blade b = bladeHere();
     Stand s = standHere(b, min(species.segments, SHADOW_QUADS));
-    left = vec3(1.0);
+    left = vec3(1.0), haze = vec3(0.0);
     gl_Position =
         vec4(0.0, 0.0, 0.5, 1.0);  // dropped: no area. Not beyond a plane: then software clips the whole batch
     // A blade that fades shades by chance: the first that shades a pixel is the only one, and half a shadow would keep
@@ -53,7 +54,7 @@ void main() {
     GroundShadow shadow = shadowOfSun(dot(p, n), vec3(l.x, dot(l, n), l.z), kLongest * kind.height);
     vec2 land = p.xz + shadow.offset;
     vec3 at = vec3(s.root.x + land.x, groundHeight(s.ground + land), s.root.z + land.y);
-    left = vec3(1.0) - takes * shadow.alpha;
+    left = vec3(1.0) - takes * shadow.alpha, haze = hazeLight(at);
     gl_Position = frame.viewProj * vec4(at, 1.0);
     float distance = length(at);
     gl_Position.z *= distance / max(distance - kNearer, 0.5 * distance);

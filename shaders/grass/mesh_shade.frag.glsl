@@ -1,6 +1,6 @@
-// Share of its light that a species leaves to the surface on which it grows, in the mean: what was drawn there is
-// multiplied by it.
+// Share of its light that a species leaves to the surface on which it grows, in the mean.
 #include "lib/density.glsl"
+#include "lib/dimmed.glsl"
 #include "lib/frame.glsl"
 #include "lib/light.glsl"
 #include "lib/shadow.glsl"
@@ -12,7 +12,6 @@ layout(std140, binding = UBO_SLICES) uniform SliceBlock { SliceGlobals slices; }
 in vec3 position;
 in vec3 normal;
 in vec2 uv;
-out vec4 color;
 
 // Beer's law, as grass/appearance.h has it of level ground.
 float lightLeft(float sine) {
@@ -27,6 +26,5 @@ void main() {
     // What the mesh was lit by: as much of each is left as comes through its way in the grass.
     vec3 direct = sunLight(n) * sunVisible(position, n), all = direct + ambientLight(n);
     vec3 left = (direct * lightLeft(sine) + ambientLight(n) * lightLeft(kMeanSine)) / max(all, vec3(1e-6));
-    color = vec4(mix(vec3(1.0), left, grown * (1.0 - hazeShare(length(position)))), 1.0);
-    if (viewMode() != VIEW_FINAL) color.rgb = vec3(1.0);
+    dimSurface(mix(vec3(1.0), left, grown), hazeLight(position));
 }

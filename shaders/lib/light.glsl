@@ -23,3 +23,8 @@ float hazeShare(float distance) {
     if (!FOG && !ATMOSPHERE) return 0.0;
     return hazeTaken(frame.haze, distance);
 }
+// The light of the haze before a position relative to the eye.
+vec3 hazeLight(vec3 position) {
+    if (!FOG && !ATMOSPHERE) return vec3(0.0);
+    return hazeColor(position) * hazeShare(length(position));
+}

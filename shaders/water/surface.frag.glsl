@@ -1,5 +1,6 @@
 // Water: what it mirrors, what is seen through it, and glints of sun and lamps (numerics/water.h). What lies under it
 // is dimmed where it was drawn, by a factor a colour (the second output); nothing is copied.
+#include "lib/dimmed.glsl"
 #include "lib/frame.glsl"
 #include "lib/lamp_shadow.glsl"
 #include "lib/lamps.glsl"
@@ -17,8 +18,6 @@ layout(binding = TEX_REFLECTION) uniform sampler2D reflected;
 const float kWidestSmear = 0.58;  // clip units
 
 in vec3 position;
-layout(location = 0, index = 0) out vec4 added;
-layout(location = 0, index = 1) out vec4 factor;
 
 // Slopes that the pixel shows; z: the mean square, along each axis, of those that are too small for it.
 vec3 ripples() {

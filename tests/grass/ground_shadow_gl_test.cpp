@@ -166,5 +166,36 @@ TEST(GroundShadow, ThoseThatStandForOthersTakeAsMuchLight) {
     EXPECT_NEAR(coarse / fine, 1, 0.02);
 }
 
+// By how much shadows change any colour of a lawn in thick haze, at most; soil: what it reflects. Blades reflect
+// nothing.
+float shadowsChange(Renderer& r, Technique technique, float soil) {
+    std::vector<float> seen[2];
+    for (const bool shadows : {false, true}) {
+        Project p = lawn();
+        p.registry.get<Fog>(findEntity(p, "haze"))->visibility = 30;
+        p.registry.get<Terrain>(findEntity(p, "ground"))->groundColor = glm::vec3(soil);
+        FlatField f = flatField(p);
+        f.technique = nameOf(technique), f.groundShadows = shadows;
+        f.sliceWidth = f.farSize = 64, f.sliceHeight = 32;
+        f.species[0].rootColor = f.species[0].midColor = f.species[0].tipColor = glm::vec3(0);
+        EXPECT_TRUE(r.draw(p, {{10, 2.5, 1}, {10, 0, 4}, 40, 0}, small()));
+        seen[shadows] = r.readLinear();
+    }
+    float most = 0;
+    for (size_t i = 0; i < seen[0].size(); ++i) most = std::max(most, std::abs(seen[1][i] - seen[0][i]));
+    return most;
+}
+// The haze between the eye and the soil is none of what lies in the shadow.
+TEST(GroundShadow, TakesNoneOfTheHazesLight) {
+    NoGlErrors errors;
+    Renderer r(gpu(), tables());
+    for (const Technique technique : {Technique::Geometry, Technique::Tessellated, Technique::Raytraced}) {
+        const float black = shadowsChange(r, technique, 0), grey = shadowsChange(r, technique, 0.2f);
+        printf("%s: shadows change black soil by %.5f, grey soil by %.5f\n", nameOf(technique), black, grey);
+        EXPECT_LT(black, 0.001f);
+        EXPECT_GT(grey, 0.02f);
+    }
+}
+
 }  // namespace
 }  // namespace sward::test
