@@ -1,5 +1,6 @@
 #include "grass/blade_cover.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sward {
@@ -17,6 +18,19 @@ AlphaMoments alphaMoments(const Rgba8& image) {
     }
     // An image that is clear shows nothing, whatever its middle is.
     return out[0] > 1e-6 ? out : AlphaMoments{1e-6, 0.5e-6, 1e-6 / 3, 0.25e-6};
+}
+
+glm::vec3 meanColor(const Rgba8& image) {
+    glm::dvec3 sum(0);
+    double weights = 0;
+    const size_t texels = image.pixels.size() / 4, across = static_cast<size_t>(std::max(image.width, 1));
+    for (size_t i = 0; i < texels; ++i) {
+        const uint8_t* texel = &image.pixels[4 * i];
+        const double v = (static_cast<double>(i / across) + 0.5) / image.height, weight = (1 + 3 * v) * texel[3];
+        sum += weight * glm::dvec3(f32::srgbDecode3(glm::vec3(texel[0], texel[1], texel[2]) / 255.0f));
+        weights += weight;
+    }
+    return weights > 0 ? glm::vec3(sum / weights) : glm::vec3(0.5f);
 }
 
 std::vector<float> alphaAlong(const Rgba8& image, int parts) {

@@ -13,9 +13,13 @@ namespace sward {
 // whole rectangle.
 using AlphaMoments = std::array<double, 4>;
 AlphaMoments alphaMoments(const Rgba8& image);
+// Mean colour (linear, 0 to 1) of what the image leaves of a blade, weighted as what is seen among other blades is:
+// from a fourth at the root to all at the tip. Of an image that is missing or clear, 0.5, at which blades keep their
+// colour.
+glm::vec3 meanColor(const Rgba8& image);
 // Means of the image's alpha over so many even parts of its length, at least 1, from the root; of no image, 1.
 std::vector<float> alphaAlong(const Rgba8& image, int parts);
-// Writes what shaders need of them: SpeciesGlobals from `middle` on.
+// Writes what shaders need of the moments: SpeciesGlobals from `middle` to `lightRow`.
 void setCover(SpeciesGlobals& g, const AlphaMoments& m);
 
 }  // namespace sward

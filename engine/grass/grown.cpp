@@ -39,6 +39,7 @@ void updateTexture(DrawContext& ctx, GrownSpecies& s, const Species& species) {
     s.bladeImage = bladeImage(ctx.project, species);
     s.bladeHash = hashBytes(s.bladeImage.pixels.data(), s.bladeImage.pixels.size());
     s.cover = alphaMoments(s.bladeImage);
+    s.imageColor = meanColor(s.bladeImage);
     s.bladeTexture = makeBladeTexture(ctx.gpu, kOwner, s.bladeImage);
 }
 
@@ -62,6 +63,7 @@ void writeGlobals(DrawContext& ctx, GrownSpecies& s, const GrownField& field, si
     g.sowSeed = sowingSeed(sp, g.seed);
     g.area = {s.look.across, s.look.above};
     setCover(g, s.cover);
+    g.imageColor = s.imageColor;
     setTraced(g, field.draws(Feature::GrassTraced) ? tracedOf(ctx, field.name, index) : nullptr);
     g.maskRadius = s.shade.radius, g.maskHeight = s.shade.top, g.maskReach = s.shade.reach;
     const uint64_t hash = hashBytes(&g, sizeof(g));

@@ -82,6 +82,7 @@ struct STD140 SpeciesGlobals {
     float sownShare;
     uint sowSeed;       // of cells' chances
     float recollision;  // share of the light that a blade sends which meets another; 0: that is not known
+    vec3 imageColor;    // mean of its image (linear), for blades that are drawn without it (grass/blade_cover.h)
 };
 
 // A blade of a patch (scene/population.h). control and tip are relative to the root, metres.

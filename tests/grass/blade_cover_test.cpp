@@ -78,6 +78,19 @@ TEST(BladeCover, ImagesThatAreMissingOrClearAreFinite) {
     }
 }
 
+TEST(BladeCover, ColorIsTheMeanOfWhatIsSeenOfTheImage) {
+    Rgba8 image{2,
+                2,
+                {0, 0, 0, 255, 10, 20, 30, 0,               // the root: half of it clear
+                 255, 255, 255, 255, 255, 255, 255, 255}};  // the tip
+    const double root = 1 + 3 * 0.25, tip = 2 * (1 + 3 * 0.75);
+    EXPECT_NEAR(double(meanColor(image).y), tip / (root + tip), 1e-5);
+    image.pixels[0] = 188;
+    EXPECT_NEAR(double(meanColor(image).x), (root * 0.5029 + tip) / (root + tip), 1e-3) << "means are of light";
+    EXPECT_EQ(meanColor({}), glm::vec3(0.5f));
+    EXPECT_EQ(meanColor({2, 2, std::vector<uint8_t>(16, 0)}), glm::vec3(0.5f)) << "clear";
+}
+
 TEST(BladeCover, TellsTheImagesAlphaByPartsOfItsLength) {
     const std::vector<float> parts = alphaAlong(parabola(800), 4);
     for (int i = 0; i < 4; ++i) {
