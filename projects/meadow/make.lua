@@ -17,7 +17,7 @@ entity.add("grass", { GrassField = {
         { name = "low", bladesPerM2 = 2500, height = 0.14, heightVariation = 0.3, width = 0.005, bend = 0.5, leanDeg = 12, smoothness = 3,
           leanVariationDeg = 14, segments = 3, clumpSize = 0.3, clumpStrength = 0.5, translucency = 0.6 },
     },
-}, TessellatedBlades = { maxDistance = 40, leastPixels = 0.5, thinning = 0 } })
+}, TessellatedBlades = { maxDistance = 40, levelBy = "pixels", leastPixels = 0.5, thinning = 0 } })
 entity.add("antialias", { Antialias = { antialias = "temporal" } })
 entity.add("sun", { Light = { azimuthDeg = 215, elevationDeg = 36 } })
 entity.add("sky", { Sky = { model = "atmosphere", turbidity = 1.5 } })
