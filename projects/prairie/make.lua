@@ -29,7 +29,7 @@ entity.add("grass", { GrassField = {
           leanVariationDeg = 15, smoothness = 3, segments = 3, clumpSize = 0.35, clumpStrength = 0.5, translucency = 0.6, gloss = 0.2,
           rootColor = { 0.04, 0.052, 0.02 }, midColor = { 0.045, 0.085, 0.03 }, tipColor = { 0.075, 0.115, 0.045 } },
     },
-}, TessellatedBlades = { maxDistance = 36, leastPixels = 0.5, thinning = 0 } })
+}, TessellatedBlades = { maxDistance = 36, levelBy = "pixels", leastPixels = 0.5, thinning = 0 } })
 entity.add("antialias", { Antialias = { antialias = "temporal" } })
 entity.add("daisies", { Flowers = { densityTiling = every(67), flowersPerM2 = 9, height = 0.38, heightVariation = 0.35, headSize = 0.05, color = { 0.74, 0.6, 0.1 },
     secondColor = { 0.74, 0.7, 0.6 }, maxDistance = 40 } })
