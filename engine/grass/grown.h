@@ -28,7 +28,7 @@ struct GrownSpecies {
     uint64_t globalsHash = 0;
     Rgba8 bladeImage;
     AlphaMoments cover{};    // of the image
-    glm::vec3 imageColor{};  // its mean
+    glm::vec3 imageColor{};  // mean of the image (linear)
     uint64_t bladeHash = 0;  // of the image: hashed when it is loaded, not each frame
     Texture bladeTexture;
     std::string textureOf = "?";

@@ -17,7 +17,7 @@ layout(location = 0) uniform int light;             // 0: the sun; i: lamp i - 1
 layout(location = 1) uniform float pixelsPerMetre;  // at one metre
 
 out vec3 left;  // share of the ground's light that is left
-out vec3 haze;  // its light before the ground
+out vec3 haze;  // light of the haze between the eye and the ground
 
 const float kLongest = 4.0;     // blade heights: shadows get no longer (numerics/shadow.h fades them instead)
 const float kNearer = 0.06;     // metres by which depth is let off: the ground's triangles are not quite the heights
