@@ -16,7 +16,7 @@ struct SurfaceView : EffectState {
         GLuint reflected = 0;  // what it mirrors
         bool inView = false;
     };
-    std::vector<Seen> waters;  // the lowest first: what lies deeper is seen through what lies higher
+    std::vector<Seen> waters;  // in the order of watersOf
 };
 
 void update(DrawContext& ctx) {
@@ -29,6 +29,7 @@ void update(DrawContext& ctx) {
         seen.inView = square.has_value();
         if (!square) continue;
         WaterGlobals g = waterGlobals(places[i], windOf(ctx.project), ctx.eye, ctx.settings.time);
+        setCovers(g, places, i, *ctx.shared.ground.terrain, ctx.eye);
         g.low = {square->x, square->y}, g.high = {square->z, square->w};
         const Reflection r = i < ctx.shared.reflections.size() ? ctx.shared.reflections[i] : Reflection{};
         seen.reflected = r.texture;

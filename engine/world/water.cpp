@@ -67,6 +67,28 @@ WaterGlobals waterGlobals(const WaterPlace& place, const Wind* wind, const glm::
     return g;
 }
 
+void setCovers(WaterGlobals& g, const std::vector<WaterPlace>& places, size_t which, const Terrain& terrain,
+               const glm::dvec3& eye) {
+    const WaterPlace& own = places[which];
+    const auto apart = [&](const WaterPlace* other) {
+        return glm::distance(own.middle, other->middle) - std::min(other->radius, kWidestPlace);
+    };
+    std::vector<const WaterPlace*> over;
+    for (size_t i = 0; i < places.size(); ++i) {
+        const float level = places[i].water->level;
+        const bool higher = level > own.water->level || (level == own.water->level && i < which);
+        if (higher && static_cast<double>(level) < eye.y) over.push_back(&places[i]);
+    }
+    std::stable_sort(over.begin(), over.end(), [&](const auto* a, const auto* b) { return apart(a) < apart(b); });
+    over.resize(std::min<size_t>(over.size(), WATER_COVERS));
+    const glm::vec2 corner(-eye.x, -eye.z);
+    g.land = glm::vec4(corner, glm::vec2(terrain.size - glm::dvec2(eye.x, eye.z)));
+    std::fill(std::begin(g.covers), std::end(g.covers), glm::vec4(0));
+    for (size_t i = 0; i < over.size(); ++i)
+        g.covers[i] = {over[i]->middle.x - eye.x, over[i]->middle.y - eye.z, std::min(over[i]->radius, kWidestPlace),
+                       static_cast<double>(over[i]->water->level) - eye.y};
+}
+
 glm::vec2 waterSlope(const WaterGlobals& g, const glm::vec2& at, float share) {
     glm::vec2 sum(0);
     for (const WaterWave& wave : g.waves)

@@ -2,6 +2,7 @@
 #pragma once
 #include "shared/types.h"
 #define WATER_WAVES 10
+#define WATER_COVERS 32
 #ifdef __cplusplus
 namespace sward {
 #endif
@@ -25,7 +26,11 @@ struct STD140 WaterGlobals {
     vec2 middle;       // x, z of the place over which it stands, relative to the eye
     float radius;      // of that place (m)
     float mirrors;     // 1: there is such a picture; 0: it mirrors only the sky
+    vec4 land;         // x, z of the terrain, relative to the eye: from, to
     WaterWave waves[WATER_WAVES];
+    // Waters whose surface hides its own where both stand: x, z of the middle, relative to the eye, radius (m) and
+    // height relative to the eye. The first of radius 0 ends them.
+    vec4 covers[WATER_COVERS];
 };
 
 #ifdef __cplusplus

@@ -87,9 +87,21 @@ LampsHere lampsOnWater(vec3 toEye, vec3 ripple) {
     return sum;
 }
 
+// Whether x, z are within a round place.
+bool within(vec2 at, vec2 middle, float radius) { return dot(at - middle, at - middle) <= radius * radius; }
+// Whether the eye's ray has come into another water before it comes to this one.
+bool entersAnother() {
+    for (int i = 0; i < WATER_COVERS && water.covers[i].z > 0.0; ++i) {
+        vec4 cover = water.covers[i];
+        vec2 at = position.xz * (cover.w / water.height);
+        bool onLand = all(greaterThanEqual(at, water.land.xy)) && all(lessThanEqual(at, water.land.zw));
+        if (onLand && within(at, cover.xy, cover.z)) return true;
+    }
+    return false;
+}
+
 void main() {
-    vec2 off = position.xz - water.middle;
-    if (dot(off, off) > water.radius * water.radius) discard;
+    if (!within(position.xz, water.middle, water.radius) || entersAnother()) discard;
     float distance = length(position);
     vec3 toEye = -position / distance, ripple = ripples();
     vec3 n = rippleNormal(ripple.xy);

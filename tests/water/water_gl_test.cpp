@@ -280,6 +280,59 @@ TEST(Water, APondEndsWhereItsPlaceDoes) {
     EXPECT_EQ(wet[between], dry[between]);
 }
 
+// A small red pond within a wide blue one: the higher one hides the other where both stand; of two as high, the first,
+// which is the small one.
+Project pondInPond(const TempDir& folder, float small, float wide, const std::string& without) {
+    Project p = lake(folder);
+    for (const char* name : {"lake", "cube"}) removeEntity(p, name);
+    const struct {
+        const char* name;
+        float level, radius;
+        glm::vec3 color;
+    } both[] = {{"small", small, 4, {0.4f, 0.05f, 0.02f}}, {"wide", wide, 9, {0.02f, 0.05f, 0.4f}}};
+    for (const auto& pond : both) {
+        if (pond.name == without) continue;
+        put<Transform>(p, pond.name).position = {15, 0, 14};
+        *p.registry.add<Water>(findEntity(p, pond.name)) = {
+            .level = pond.level, .radius = pond.radius, .clarity = 1, .color = pond.color, .reflection = 1};
+    }
+    return p;
+}
+TEST(Water, OfTwoOverEachOtherTheFirstMetIsSeenAlone) {
+    NoGlErrors errors;
+    const TempDir folder;
+    const ViewCamera c{{15, 5, 27}, {15, 0.5, 14}, 50, 0};
+    const struct { float small, wide; } all[] = {{0.5f, 0.5f}, {0.3f, 0.9f}, {0.9f, 0.3f}};
+    for (const auto& level : all) {
+        const auto seen = [&](const std::string& without) {
+            Project p = pondInPond(folder, level.small, level.wide, without);
+            return drawn(p, c);
+        };
+        Project p = pondInPond(folder, level.small, level.wide, "");
+        const std::vector<float> picture = drawn(p, c), wide = seen("small"), small = seen("wide");
+        int asWide = 0, asSmall = 0, asNone = 0;
+        for (size_t i = 0; i < picture.size(); i += 3) {
+            const auto equals = [&](const std::vector<float>& other) {
+                return std::equal(&picture[i], &picture[i] + 3, &other[i]);
+            };
+            if (equals(wide))
+                ++asWide;
+            else if (equals(small))
+                ++asSmall;
+            else
+                ++asNone;
+        }
+        EXPECT_EQ(asNone, 0) << level.small << " in " << level.wide;
+        EXPECT_GT(asWide, 4000) << level.small << " in " << level.wide;
+        EXPECT_EQ(asSmall > 500, level.small >= level.wide) << asSmall;
+        const std::vector<float> truth = traced(p, c, 64).color;
+        const double ours = rmsOff(picture, truth), other = rmsOff(level.small < level.wide ? small : wide, truth);
+        std::printf("%.1f in %.1f: off the truth by %.4f, without what hides by %.4f\n", double(level.small),
+                    double(level.wide), ours, other);
+        EXPECT_LT(ours, 0.7 * other);
+    }
+}
+
 // The mirror's bytes follow what of the picture its water takes, and an eye that moves makes none of it anew.
 TEST(Water, OnlyThatPartIsMirroredInWhichAPondIsSeen) {
     NoGlErrors errors;
