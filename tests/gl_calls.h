@@ -71,7 +71,7 @@ struct Hook<pointer> {
     X(glDisableVertexArrayAttrib) X(glDispatchCompute) X(glDispatchComputeIndirect) X(glDrawArrays) \
     X(glDrawArraysIndirect) X(glDrawArraysInstanced) X(glDrawElements) X(glDrawElementsInstanced) \
     X(glDrawElementsInstancedBaseInstance) X(glEnable) X(glEnableVertexArrayAttrib) X(glEndQuery) X(glFenceSync) \
-    X(glFinish) X(glFrontFace) X(glGenQueries) X(glGenerateTextureMipmap) X(glGetError) X(glGetIntegerv) \
+    X(glFinish) X(glFrontFace) X(glGenQueries) X(glGenerateTextureMipmap) X(glGetError) X(glGetIntegerv) X(glGetInternalformativ) \
     X(glGetNamedBufferSubData) X(glGetProgramInfoLog) X(glGetProgramiv) X(glGetQueryObjectui64v) \
     X(glGetShaderInfoLog) X(glGetShaderiv) X(glGetString) X(glGetTextureImage) X(glGetTextureLevelParameteriv) \
     X(glLinkProgram) X(glMemoryBarrier) X(glMultiDrawArraysIndirect) X(glMultiDrawElementsIndirect) \

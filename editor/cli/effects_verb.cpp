@@ -47,7 +47,7 @@ Result<std::vector<CameraMap>> probeAll(const EffectOptions& o, const EffectRequ
 Json toldOf(const std::vector<CameraMap>& maps, const EffectOptions& o, const Project& project, const Gpu& gpu) {
     Json j;
     j["sward"] = SWARD_VERSION, j["renderer"] = gpu.renderer, j["project"] = project.name;
-    j["timing"] = "wall-finish", j["msaa"] = std::min(o.msaa, std::max(gpu.maxSamples, 1)), j["time_s"] = o.time;
+    j["timing"] = "wall-finish", j["msaa"] = gpu.samplesFor(o.msaa), j["time_s"] = o.time;
     j["seen_change_255"] = kSeenChange;
     j["cameras"] = Json::makeArray();
     for (const CameraMap& m : maps) j["cameras"].push(effectMapJson(m.map, m.camera, o.out.empty() ? "" : m.camera));

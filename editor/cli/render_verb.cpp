@@ -139,7 +139,7 @@ Status renderAll(RenderOptions o, const Project& project, Gpu& gpu, int w, int h
         std::printf("%s\n", file.string().c_str());
     }
     if (o.stats.empty()) return {};
-    return writeFileAtomic(o.stats, frameStatsJson(records, project, gpu, w, h, std::min(o.msaa, gpu.maxSamples)));
+    return writeFileAtomic(o.stats, frameStatsJson(records, project, gpu, w, h, gpu.samplesFor(o.msaa)));
 }
 
 }  // namespace

@@ -122,7 +122,7 @@ struct ViewTargets {
 };
 // What targets are to be made.
 struct TargetsWanted {
-    int width = 0, height = 0, samples = 1;  // pixels, at least 1; samples a pixel, at most Gpu::maxSamples
+    int width = 0, height = 0, samples = 1;  // pixels, at least 1; samples a pixel, one of Gpu::sampleCounts
     bool stencil = false;                    // beside the depth
     int levels = 1;                          // of what is resolved; 0: all
     bool image = false;                      // whether there is one to show on a screen

@@ -63,7 +63,7 @@ glm::mat4 jitterProjection(const ViewSettings& s) {
 // give that four.
 void ensureTargets(Gpu& gpu, ViewTargets& t, const ViewSettings& s, const FramePlan& plan) {
     const bool motion = framesAddUp(plan, s);
-    const int samples = motion ? 1 : std::clamp(s.msaa, 1, std::max(gpu.maxSamples, 1));
+    const int samples = motion ? 1 : gpu.samplesFor(s.msaa);
     if (t.width == s.width && t.height == s.height && t.samples == samples && t.stencil == plan.stencil &&
         (t.motion.id() != 0) == motion)
         return;

@@ -45,7 +45,7 @@ inline constexpr float kLeastDetail = 1.0f / 4096;  // share of the blades that 
 
 struct ViewSettings {
     int width = 1024, height = 768;
-    int msaa = 4;  // clamped to what the driver has
+    int msaa = 4;  // or the next that the driver has (Gpu::samplesFor)
     ViewMode mode = ViewMode::Final;
     double time = 0;  // scene seconds
     BrushDecal decal;

@@ -2,6 +2,7 @@
 
 #include <epoxy/egl.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "core/log.h"
@@ -75,6 +76,17 @@ void GLAPIENTRY onDebug(GLenum source, GLenum type, GLuint, GLenum severity, GLs
     logError(std::string("OpenGL: ") + message);
 }
 
+// Samples a texel that multisample textures of a format may have, and 1; ascending.
+std::vector<int> sampleCountsOf(GLenum format) {
+    GLint number = 0;
+    glGetInternalformativ(GL_TEXTURE_2D_MULTISAMPLE, format, GL_NUM_SAMPLE_COUNTS, 1, &number);
+    std::vector<int> out(static_cast<size_t>(std::max(number, 0)));
+    glGetInternalformativ(GL_TEXTURE_2D_MULTISAMPLE, format, GL_SAMPLES, number, out.data());
+    if (std::find(out.begin(), out.end(), 1) == out.end()) out.push_back(1);
+    std::sort(out.begin(), out.end());
+    return out;
+}
+
 Status describe(Gpu& gpu) {
     if (epoxy_gl_version() < 45)
         return noContext(
@@ -84,7 +96,10 @@ Status describe(Gpu& gpu) {
     gpu.version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
     gpu.software = isSoftware(gpu.renderer);
     gpu.watched = epoxy_has_gl_extension("GL_EXT_debug_tool");
-    glGetIntegerv(GL_MAX_SAMPLES, &gpu.maxSamples);
+    gpu.sampleCounts = sampleCountsOf(GL_RGBA16F);
+    std::erase_if(gpu.sampleCounts, [depths = sampleCountsOf(GL_DEPTH_COMPONENT32F)](int n) {
+        return std::find(depths.begin(), depths.end(), n) == depths.end();
+    });
     glEnable(GL_DEBUG_OUTPUT);
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
     glDebugMessageCallback(onDebug, &gpu);
@@ -95,6 +110,11 @@ Status describe(Gpu& gpu) {
 }
 
 }  // namespace
+
+int Gpu::samplesFor(int asked) const {
+    const auto enough = std::lower_bound(sampleCounts.begin(), sampleCounts.end(), asked);
+    return enough == sampleCounts.end() ? sampleCounts.back() : *enough;
+}
 
 int64_t Gpu::totalBytes() const {
     int64_t sum = 0;

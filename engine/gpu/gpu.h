@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/error.h"
 
@@ -14,14 +15,16 @@ namespace sward {
 struct Gpu {
     std::string renderer;  // GL_RENDERER
     std::string version;
-    bool software = false;  // llvmpipe and its like: timer queries are wrong there
-    bool watched = false;   // a graphics debugger looks on (GL_EXT_debug_tool): passes are labelled for it
-    int maxSamples = 1;
+    bool software = false;             // llvmpipe and its like: timer queries are wrong there
+    bool watched = false;              // a graphics debugger looks on (GL_EXT_debug_tool): passes are labelled for it
+    std::vector<int> sampleCounts{1};  // samples a pixel that targets may have, ascending
     std::map<std::string, int64_t> ledger;  // owner ("grass/geometry") -> bytes
     int errors = 0;                         // GL errors reported by the debug callback
     std::string lastError;
     std::shared_ptr<void> context;  // keeps a headless context alive
 
+    // The least of sampleCounts that is `asked` at least, or the greatest: what a driver gives who asks for that many.
+    int samplesFor(int asked) const;
     // Sum over the ledger: bytes that buffers and textures hold now.
     int64_t totalBytes() const;
 };

@@ -118,7 +118,7 @@ Texture makeTextureArray(Gpu& gpu, const std::string& owner, GLenum format, int 
 // Linearly filtered along all three axes, repeated along the first two; of several levels the nearest one is read.
 Texture makeTexture3D(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int depth,
                       int levels = 1);
-// `samples` a texel, 1 to Gpu::maxSamples; no levels.
+// `samples` a texel, one of Gpu::sampleCounts; no levels.
 Texture makeTexture2DMultisample(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int samples);
 // depth may be of a format with a stencil; 0: none.
 Framebuffer makeFramebuffer(GLuint color, GLuint depth, const char* label);
