@@ -258,7 +258,7 @@ struct Attribute {
 constexpr Attribute kDrawn[] = {
     {4, GL_FLOAT, 0}, {4, GL_HALF_FLOAT, 16}, {2, GL_UNSIGNED_SHORT, 24}, {1, GL_UNSIGNED_INT, 28}};
 constexpr Attribute kShaded[] = {
-    {4, GL_HALF_FLOAT, 32}, {2, GL_BYTE, 40}, {1, GL_HALF_FLOAT, 42}, {1, GL_SHORT, 44}, {2, GL_UNSIGNED_BYTE, 46}};
+    {4, GL_HALF_FLOAT, 32}, {1, GL_SHORT, 40}, {1, GL_HALF_FLOAT, 42}, {1, GL_SHORT, 44}, {2, GL_UNSIGNED_BYTE, 46}};
 constexpr GLuint kMovedAt = 9;
 
 void describe(GLuint mesh, GLuint location, const Attribute& a) {

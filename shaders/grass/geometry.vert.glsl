@@ -13,7 +13,7 @@
 // At a covered sample: blades are thinner than pixels, and from the pixel's centre their light would be extrapolated.
 centroid out vec4 lit;
 centroid out vec4 sunned;  // as BladeLight has them
-centroid out vec3 turned;
+centroid out vec2 sunward;
 centroid out vec3 maskAt;
 centroid out vec3 strip;  // across, along; opacity
 flat out uint grain;      // a random number of the blade
@@ -24,7 +24,7 @@ void main() {
     Stand s = standHere(b, quads);
     lit = vec4(0.0);
     sunned = vec4(0.0);
-    turned = vec3(0.0);
+    sunward = vec2(0.0);
     maskAt = vec3(0.0);
     strip = vec3(0.0);
     grain = 0u;
@@ -40,16 +40,14 @@ void main() {
     vec3 fromRoot = f.position + f.side * (s.across * b.width * frame.widening);
     vec3 position = s.root + fromRoot;
     vec3 n = dot(f.normal, position) > 0.0 ? -f.normal : f.normal;  // the side that faces the eye
-    BladeLight light = lightBlade(
-        Lit(bladeColor(b.hue, b.lightness * lighter, s.v, lacked, s.uv), f.normal, n, unitOr(-position, 1e-6, n),
-            position, fromRoot, pose.facing, pose.upright, groundSlope(s.ground, s.root.y, species.maskReach),
-            mix(species.rootOpen, 1.0, s.v), s.density, 1.0, 1.0),
-        s.uv);
-    lit = light.lit, sunned = light.sunned, turned = light.turned, maskAt = light.maskAt;
-    // Quads lie below the curve between their rows; the sun's shade is looked up as high as the curve lies in the mean.
-    // An odd number of them lacks a third of what the middle's colour does.
-    vec3 sagged = (2.0 * pose.control - pose.tip) * (lacked / 3.0);
-    maskAt.y += inFullHeight(sagged, s.uv).y / max(species.maskHeight, 1e-4);
+    BladeLight light =
+        lightBlade(Lit(bladeColor(b.hue, b.lightness * lighter, s.v, lacked, s.uv), n, unitOr(-position, 1e-6, n),
+                       position, fromRoot, b.dither, pose.upright, groundSlope(s.ground, s.root.y, species.maskReach),
+                       mix(species.rootOpen, 1.0, s.v), s.density, 1.0, 1.0),
+                   s.uv);
+    lit = light.lit, sunned = light.sunned, sunward = light.sunward, maskAt = light.maskAt;
+    // The sun's shade is looked up as high as the curve lies in the mean.
+    maskAt.y += inFullHeight(overChords(pose, quads), s.uv).y / max(species.maskHeight, 1e-4);
     if (viewMode() == VIEW_NORMALS) lit.rgb = n * 0.5 + 0.5;
     strip = vec3(s.across + 0.5, s.v, s.opacity);
     grain = floatBitsToUint(b.dither);

@@ -26,7 +26,7 @@ uint pieceBlades = job.w;                // at most
 
 // Words of a vertex: clip position (4); light, as halves (2); along and opacity, as 16 bits each: coverage by chance
 // turns on their last bits (1); grain, whose first two bits are across and whether it is plain (1); where blades shade
-// blades, the sun's light as halves (2), how the blade is turned, as 8 bits, 8 bits and a half (1), and where in the
+// blades, the sun's light as halves (2), how it faces the sun, as 16 bits and a half (1), and where in the
 // mask, as 16 bits, 8 bits and 8 bits (1); where frames add up, metres that it moved since the frame before, as halves
 // (2).
 const uint kLitWords = BLADE_SHADOWS && CASTING_LIGHTS ? 12u : 8u, kWords = kLitWords + (TEMPORAL ? 2u : 0u);
@@ -45,7 +45,7 @@ void look(uint vertex, TessBlade t, BladeLight l, vec3 fromRoot, vec3 strip) {
     words[w] = packHalf2x16(lit.xy);
     words[w + 1u] = packHalf2x16(lit.zw);
     words[w + 2u] = packUnorm2x16(strip.yz);
-    words[w + 3u] = t.grain | (strip.x > 0.5 ? 1u << 31 : 0u) | (t.plain ? 1u << 30 : 0u);
+    words[w + 3u] = t.grain | (strip.x > 0.5 ? 1u << 31 : 0u) | (t.plain ? PLAIN_BLADE : 0u);
     if (TEMPORAL) {
         vec3 moved = movedAt(t, strip.y);
         words[vertex * kWords + kLitWords] = packHalf2x16(moved.xy);
@@ -54,8 +54,8 @@ void look(uint vertex, TessBlade t, BladeLight l, vec3 fromRoot, vec3 strip) {
     if (kLitWords == 8u) return;
     words[w + 4u] = packHalf2x16(sunned.xy);
     words[w + 5u] = packHalf2x16(sunned.zw);
-    words[w + 6u] = packSnorm4x8(vec4(l.turned.xy, 0.0, 0.0)) & 0xFFFFu |
-                    packHalf2x16(vec2(0.0, min(l.turned.z, kBrightest))) & 0xFFFF0000u;
+    words[w + 6u] = packSnorm2x16(vec2(l.sunward.x, 0.0)) & 0xFFFFu |
+                    packHalf2x16(vec2(0.0, min(l.sunward.y, kBrightest))) & 0xFFFF0000u;
     vec3 at = t.plain ? l.maskAt : maskOf(t, fromRoot);
     words[w + 7u] =
         packSnorm2x16(vec2(at.x / MASK_TURNS, 0.0)) & 0xFFFFu | packUnorm4x8(vec4(0.0, 0.0, at.yz)) & 0xFFFF0000u;

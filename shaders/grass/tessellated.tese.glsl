@@ -15,7 +15,7 @@ in vec3 stemSlope[];
 flat in uint stemGrain[];
 centroid out vec4 lit;  // as in geometry.vert.glsl
 centroid out vec4 sunned;
-centroid out vec3 turned;
+centroid out vec2 sunward;
 centroid out vec3 maskAt;
 centroid out vec3 strip;  // across (-1: a plain triangle), along; opacity
 flat out uint grain;
@@ -61,9 +61,9 @@ void main() {
                                 .position;
         maskAt = maskOf(t, at);
     }
-    lit = light.lit, sunned = light.sunned, turned = light.turned;
-    strip = vec3(t.plain ? -1.0 : u, v, t.opacity);
-    grain = t.grain;
+    lit = light.lit, sunned = light.sunned, sunward = light.sunward;
+    strip = vec3(t.plain ? 0.5 : u, v, t.opacity);
+    grain = t.grain | (t.plain ? PLAIN_BLADE : 0u);
     moved = movedAt(t, v);
     cutAtWater(t.root.y + at.y);
     gl_Position = frame.viewProj * vec4(t.root + at, 1.0);

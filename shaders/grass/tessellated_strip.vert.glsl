@@ -5,11 +5,10 @@
 
 layout(location = 0) in vec4 at;  // in clip space
 layout(location = 1) in vec4 light;
-layout(location = 2) in vec2 along;  // along, opacity
-layout(location = 3)
-    in uint number;  // grain, of a number in ]0, 1]: its first two bits are free for across, and plain triangles
+layout(location = 2) in vec2 along;   // along, opacity
+layout(location = 3) in uint number;  // grain, PLAIN_BLADE with it; the first bit: across
 layout(location = 4) in vec4 sun;
-layout(location = 5) in vec2 turn;
+layout(location = 5) in float facing;
 layout(location = 6) in float highlight;
 layout(location = 7) in float shadowTurn;  // by MASK_TURNS
 layout(location = 8) in vec2 shadowPlace;  // the rest of maskAt
@@ -17,7 +16,7 @@ layout(location = 9) in vec3 since;
 
 centroid out vec4 lit;  // as in geometry.vert.glsl
 centroid out vec4 sunned;
-centroid out vec3 turned;
+centroid out vec2 sunward;
 centroid out vec3 maskAt;
 centroid out vec3 strip;
 flat out uint grain;
@@ -31,9 +30,9 @@ void main() {
     gl_Position = at;
     lit = light;
     sunned = sun;
-    turned = vec3(turn, highlight);
+    sunward = vec2(facing, highlight);
     maskAt = vec3(shadowTurn * MASK_TURNS, shadowPlace);
     moved = TEMPORAL ? since : vec3(0.0);
-    strip = vec3((number & (1u << 30)) != 0u ? -1.0 : float(number >> 31), along);
-    grain = number & 0x3FFFFFFFu;
+    strip = vec3((number & PLAIN_BLADE) != 0u ? 0.5 : float(number >> 31), along);
+    grain = number & ~(1u << 31);
 }

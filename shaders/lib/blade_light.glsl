@@ -32,22 +32,24 @@ BladeColor bladeColor(float hue, float lightness, float v, float middleLacked, v
     return BladeColor(painted, paintScatters(own, painted, species.translucency, species.recollision));
 }
 
-// A vertex that is lit: its colour; either of the blade's two normals, and that of the side which the eye sees; where
-// it is; where the blade faces; what of the light is left so near to the root, where no mask says it.
+// A vertex that is lit: its colour; the normal of the side that the eye sees; where it is; what of the light is left so
+// near to the root, where no mask says it.
 struct Lit {
     BladeColor color;
-    vec3 face, normal, toEye, position, fromRoot;
-    vec2 facing;
-    vec3 upright;  // of its pose
-    vec2 slope;    // of the ground
+    vec3 normal, toEye, position, fromRoot;
+    float neighbours;  // turns by which the mask of its neighbours is turned around its blade
+    vec3 upright;      // of its pose
+    vec2 slope;        // of the ground
     float open, density;
     float stands;  // share of what grows there that is not pressed down (lightBlade)
     float own;     // share of its shade and its facing that is its own: the rest is the mean of blades it stands for
 };
+// How far a blade's curve lies over the chords between its rows, in the mean; quads: of its strip.
+vec3 overChords(BladePose pose, int quads) { return (2.0 * pose.control - pose.tip) / (6.0 * float(quads * quads)); }
 // Where in the shadow mask it is, for a light.
-vec3 maskFor(vec3 fromRoot, vec2 facing, vec3 upright, vec2 slope, vec3 towards) {
+vec3 maskFor(vec3 fromRoot, float neighbours, vec3 upright, vec2 slope, vec3 towards) {
     vec3 way = overLevel(stoodUp(towards, upright), slope);
-    return maskPoint(stoodUp(fromRoot, upright), facing, unitOr(way, 1e-6, towards), species.maskRadius,
+    return maskPoint(stoodUp(fromRoot, upright), neighbours, unitOr(way, 1e-6, towards), species.maskRadius,
                      species.maskHeight);
 }
 // As leafLight takes them.
@@ -111,7 +113,7 @@ OthersLight sunAmong(Lit p, vec2 uv, float density) {
 vec3 lampSends(Lit p, vec2 uv, LampHere l) {
     float density = densityTowards(p, uv, l.direction);
     vec3 over = overLevel(l.direction, p.slope);
-    vec3 through = maskLight(maskFor(p.fromRoot, p.facing, p.upright, p.slope, l.direction), density) *
+    vec3 through = maskLight(maskFor(p.fromRoot, p.neighbours, p.upright, p.slope, l.direction), density) *
                    tracedDirect(overGround(p), over, density);
     vec3 sent = leafLight(p.color.reflectance, bladeGloss(), p.normal, p.toEye, l.direction, l.light) * through +
                 p.color.reflectance * l.light * directFill(over, shareAmong(p)) * tracedShare(density, species.area.x);
@@ -132,23 +134,21 @@ vec3 lampsOn(Lit p, vec2 uv) {
 // A point of a blade as it would be without the map of heights: its neighbours are lowered as it is. They stand as
 // close as ever, so that they shade it as grass does that is thinner by as much (lightBlade).
 vec3 inFullHeight(vec3 fromRoot, vec2 uv) { return GRASS_HEIGHTS ? fromRoot / max(bladeShare(uv), 0.02) : fromRoot; }
-// Where blades shade blades the sun is told apart: on which side of a bent blade it shines, and which one is seen, is
-// decided by the fragment. Elsewhere by the vertex, in half of its room.
+// Where blades shade blades the sun is told apart, because its shade is the fragment's.
 struct BladeLight {
-    vec4 lit;     // radiance, without the sun's where that is apart; w: share of it that is haze
-    vec4 sunned;  // what a side that faces the sun sends of its light; w: density
-    vec3 turned;  // cosines of `face` with the sun and with the eye; the highlight, as a share of the sun's light
-    vec3 maskAt;  // where in the blades' shadow mask
+    vec4 lit;      // radiance, without the sun's where that is apart; w: share of it that is haze
+    vec4 sunned;   // what a side that faces the sun sends of its light; w: density
+    vec2 sunward;  // cosine of the seen side's normal with the sun; the highlight, as a share of the sun's light
+    vec3 maskAt;   // where in the blades' shadow mask
 };
 // What blades like it, but turned any way, send of the sun's light, by how much of them is seen: the mean of four.
 vec3 sentAround(Lit p, vec3 falls) {
     vec3 sum = vec3(0.0);
     float seen = 1e-4;
     for (int i = 0; i < 4; ++i) {
-        p.face = vec3(-p.face.z, p.face.y, p.face.x);
-        float eye = dot(p.face, p.toEye);
-        sum += abs(eye) *
-               leafTurned(falls, vec2(dot(p.face, frame.sunDirection), eye), TRANSLUCENCY ? species.translucency : 0.0);
+        p.normal = vec3(-p.normal.z, p.normal.y, p.normal.x);
+        float eye = dot(p.normal, p.toEye), facing = dot(p.normal, frame.sunDirection);
+        sum += abs(eye) * leafSent(falls, eye < 0.0 ? -facing : facing, TRANSLUCENCY ? species.translucency : 0.0);
         seen += abs(eye);
     }
     return sum / seen;
@@ -168,23 +168,24 @@ void sunBlade(Lit p, vec2 uv, float share, inout BladeLight o) {
         OthersLight among = sunAmong(p, uv, p.density);
         o.lit.rgb += p.color.reflectance * frame.sunLight * left * among.fill;
         left *= among.leave;
-        o.maskAt = maskFor(p.fromRoot, p.facing, p.upright, p.slope, frame.sunDirection);
+        o.maskAt = maskFor(p.fromRoot, p.neighbours, p.upright, p.slope, frame.sunDirection);
         left *= tracedDirect(overGround(p), overLevel(frame.sunDirection, p.slope), p.density);
     } else {
         left *= p.open;
     }
     vec3 falls = p.color.reflectance * frame.sunLight * left;
-    o.turned.xy = vec2(dot(p.face, frame.sunDirection), dot(p.face, p.toEye));
-    if (GLOSS) o.turned.z = species.gloss * waxyLobe(p.normal, frame.sunDirection, p.toEye, species.roughness) * left.g;
+    o.sunward.x = dot(p.normal, frame.sunDirection);
+    if (GLOSS)
+        o.sunward.y = species.gloss * waxyLobe(p.normal, frame.sunDirection, p.toEye, species.roughness) * left.g;
     if (p.own < 1.0) {
-        vec3 sent = sentAround(p, falls) + frame.sunLight * o.turned.z;
+        vec3 sent = sentAround(p, falls) + frame.sunLight * o.sunward.y;
         o.lit.rgb += sent * ((1.0 - p.own) * (frame.sunCasts > 0.0 ? maskMean(o.maskAt, p.density) : 1.0));
     }
     o.sunned = vec4(falls * (p.own * (1.0 - share)), p.density);
-    o.turned.z *= p.own * (1.0 - share);
+    o.sunward.y *= p.own * (1.0 - share);
 }
 BladeLight lightBlade(Lit p, vec2 uv) {
-    BladeLight o = BladeLight(vec4(0.0), vec4(0.0), vec3(0.0), vec3(0.0));
+    BladeLight o = BladeLight(vec4(0.0), vec4(0.0), vec2(0.0), vec3(0.0));
     float distance = length(p.position), share = hazeShare(distance);
     p.color.reflectance *= darkened(distance);
     p.fromRoot = inFullHeight(p.fromRoot, uv);
@@ -201,7 +202,7 @@ BladeLight lightBlade(Lit p, vec2 uv) {
 // tip's row: what lies between its ends has the mean of that along the blade.
 BladeLight straightLight(BladeLight low, BladeLight tip, float v) {
     float share = (v - species.lightRow) / (1.0 - species.lightRow);
-    vec3 turned = mix(low.turned, tip.turned, share);
+    vec2 sunward = mix(low.sunward, tip.sunward, share);
     return BladeLight(max(mix(low.lit, tip.lit, share), vec4(0.0)), max(mix(low.sunned, tip.sunned, share), vec4(0.0)),
-                      vec3(clamp(turned.xy, -1.0, 1.0), max(turned.z, 0.0)), mix(low.maskAt, tip.maskAt, share));
+                      vec2(clamp(sunward.x, -1.0, 1.0), max(sunward.y, 0.0)), mix(low.maskAt, tip.maskAt, share));
 }

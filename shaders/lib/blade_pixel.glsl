@@ -9,12 +9,13 @@
 #include "lib/transparency.glsl"
 #include "numerics/leaf.h"
 #include "shared/bindings.h"
+#include "shared/tess.h"
 
 layout(binding = TEX_BLADE) uniform sampler2D bladeTexture;
 
 centroid in vec4 lit;
 centroid in vec4 sunned;
-centroid in vec3 turned;
+centroid in vec2 sunward;
 centroid in vec3 maskAt;
 centroid in vec3 strip;
 flat in uint grain;
@@ -23,8 +24,8 @@ layout(location = 0) out vec4 color;
 
 // What the blade sends of the sun's light.
 vec3 sunSent() {
-    vec3 sent = leafTurned(sunned.rgb, turned.xy, TRANSLUCENCY ? species.translucency : 0.0);
-    if (GLOSS) sent += frame.sunLight * turned.z;
+    vec3 sent = leafSent(sunned.rgb, sunward.x, TRANSLUCENCY ? species.translucency : 0.0);
+    if (GLOSS) sent += frame.sunLight * sunward.y;
     if (frame.sunCasts > 0.0) sent *= maskLight(maskAt, sunned.w);
     return sent;
 }
@@ -42,7 +43,7 @@ vec4 bladePixel(vec4 t, float alpha) {
 }
 // t: the texture's colour and alpha there.
 void drawBlade(vec4 t) {
-    float alpha = coveredAlpha(TRANSPARENCY, t.a * strip.z, grain);
+    float alpha = coveredAlpha(TRANSPARENCY, t.a * strip.z, grain & ~PLAIN_BLADE);
     if (!(alpha > 0.0) || !lies(strip.xy)) discard;
     color = bladePixel(t, alpha);
 }

@@ -82,10 +82,11 @@ vec3 movedAt(TessBlade t, float v) {
 // A point of it as it would be if the distance lowered neither it nor those about it: they stand as close as ever.
 vec3 unlowered(TessBlade t, vec3 fromRoot) { return fromRoot / max(t.high, 0.02); }
 
-// Where in the shadow mask a vertex of it is.
+// Where in the shadow mask a vertex of it is: the mask is looked up as high as the curve lies in the mean.
 vec3 maskOf(TessBlade t, vec3 fromRoot) {
     if (!(BLADE_SHADOWS && CASTING_LIGHTS && frame.sunCasts > 0.0)) return vec3(0.0);
-    return maskFor(inFullHeight(unlowered(t, fromRoot), t.uv), t.pose.facing, t.pose.upright, t.slope,
+    if (t.level > 1) fromRoot += overChords(t.pose, t.level);
+    return maskFor(inFullHeight(unlowered(t, fromRoot), t.uv), uintBitsToFloat(t.grain), t.pose.upright, t.slope,
                    frame.sunDirection);
 }
 
@@ -95,9 +96,9 @@ BladeLight lightPoint(TessBlade t, float v, out vec3 shown) {
     vec3 position = t.root + f.position;
     shown = dot(f.normal, position) > 0.0 ? -f.normal : f.normal;
     float lacked = t.level > 1 ? middleLacked(t.level) : 0.0;
-    return lightBlade(Lit(bladeColor(t.hue, t.lightness, v, lacked, t.uv), f.normal, shown,
-                          unitOr(-position, 1e-6, shown), position, unlowered(t, f.position), t.pose.facing,
-                          t.pose.upright, t.slope, mix(species.rootOpen, 1.0, v), t.density, 1.0, t.own),
+    return lightBlade(Lit(bladeColor(t.hue, t.lightness, v, lacked, t.uv), shown, unitOr(-position, 1e-6, shown),
+                          position, unlowered(t, f.position), uintBitsToFloat(t.grain), t.pose.upright, t.slope,
+                          mix(species.rootOpen, 1.0, v), t.density, 1.0, t.own),
                       t.uv);
 }
 // Light of the rows that the light of a blade of one quad is made of.

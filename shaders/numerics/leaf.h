@@ -15,12 +15,9 @@ const real kLeafFresnel = real(0.04);
 // Leaves", 1971).
 FN vec3 leafThrough(vec3 color) { return vec3(color.x * real(1.1), color.y * real(1.05), color.z * real(0.55)); }
 
-// What a blade that would send `lit` of a light that falls straight on it sends of light from the side that its normal
-// points to, or from the other. turned: cosines of the normal with the light and with the eye. Along a bent blade the
-// side that is seen changes; within an eighth of an edge-on view it goes from one to the other, so that neighbouring
-// rows of vertices need not agree on the place.
-FN vec3 leafTurned(vec3 lit, vec2 turned, real translucency) {
-    real facing = clamp(turned.x, real(-1.0), real(1.0)) * clamp(turned.y * real(8.0), real(-1.0), real(1.0));
+// What a leaf that would send `lit` of a light that falls straight on it sends of light from a direction. facing:
+// cosine between that and the normal of the side that is seen, below 0 where the light falls on the other.
+FN vec3 leafSent(vec3 lit, real facing, real translucency) {
     return lit * max(facing, real(0.0)) + leafThrough(lit) * (translucency * max(-facing, real(0.0)));
 }
 

@@ -35,6 +35,8 @@ struct TessCell {
 #ifdef __cplusplus
 }
 #endif
+// Bit of a blade's grain, a number in ]0, 1], that says that it is drawn as one triangle of its image's mean.
+#define PLAIN_BLADE (1u << 30)
 // Turns round the shadow mask to either side that a vertex can tell: of what leans farther, the shade is that of there.
 #define MASK_TURNS 8.0
 // Words of the list of chosen cells: pieces, 0, 0, 0; by batch, and for its end, the arguments of
