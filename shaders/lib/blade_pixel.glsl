@@ -24,7 +24,8 @@ layout(location = 0) out vec4 color;
 
 // What the blade sends of the sun's light.
 vec3 sunSent() {
-    vec3 sent = leafSent(sunned.rgb, sunward.x, TRANSLUCENCY ? species.translucency : 0.0);
+    float facing = clamp(sunward.x, -1.0, 1.0);  // on slivers what is interpolated runs out of them
+    vec3 sent = leafSent(sunned.rgb, facing, TRANSLUCENCY ? species.translucency : 0.0);
     if (GLOSS) sent += frame.sunLight * sunward.y;
     if (frame.sunCasts > 0.0) sent *= maskLight(maskAt, sunned.w);
     return sent;
