@@ -290,23 +290,22 @@ WaterShows waterShows(const View& v, const WaterMet& w, const Ray& ray, Dice& di
     return shows;
 }
 
-// A path that comes to water: goes on as thrown back or let in, by chance, to the surface that it meets then.
+// A path of light, back from the eye. met: the surface that it has come to.
 struct Path {
     Ray ray;
     glm::vec3 weight{1}, sum{0};
     std::optional<Surface> met = {};
     bool seesSun = true;
 };
-void crossWater(const View& v, Path& path, const WaterMet& w, Dice& dice, GrassMemory& memory) {
-    const WaterShows shows = waterShows(v, w, path.ray, dice, memory);
-    path.sum += path.weight * shows.glint;
+// On from water, thrown back or let in, to the surface that is met then.
+void leaveWater(const View& v, Path& path, const WaterMet& w, const WaterShows& shows, bool back, Dice& dice,
+                GrassMemory& memory) {
     const glm::vec3 way(path.ray.way);
-    const bool up = dice.unit() < w.mirror;
-    path.ray = {w.at + glm::dvec3(0, up ? kOffSolid : -kOffSolid, 0),
-                glm::normalize(glm::dvec3(up ? f32::mirrored(way, w.normal) : f32::refracted(way, w.normal))), 0,
+    path.ray = {w.at + glm::dvec3(0, back ? kOffSolid : -kOffSolid, 0),
+                glm::normalize(glm::dvec3(back ? f32::mirrored(way, w.normal) : f32::refracted(way, w.normal))), 0,
                 std::numeric_limits<double>::infinity(), dice.grain()};
     path.met = meet(v, path.ray, memory);
-    if (up) {
+    if (back) {
         path.seesSun = false;  // the glint is the sun's image
         if (!path.met || !v.hasHaze) return;
         const float haze = f32::hazeTaken(v.globals.haze, static_cast<float>(path.met->t));
@@ -321,26 +320,16 @@ void crossWater(const View& v, Path& path, const WaterMet& w, Dice& dice, GrassM
     path.weight *= left;
 }
 
-// To the next surface that is not water. first: what is met first, water included.
-void advance(const View& v, Path& path, Dice& dice, GrassMemory& memory, std::optional<Surface>* first) {
+// To the next surface; water that lies before it.
+std::optional<WaterMet> advance(const View& v, Path& path, GrassMemory& memory) {
     path.met = meet(v, path.ray, memory);
-    const auto water = v.water.enters(path.ray, path.met ? path.met->t : std::numeric_limits<double>::infinity());
-    if (first) *first = path.met;
-    if (!water) return;
-    if (first) {
-        first->emplace();
-        (*first)->met = Met::Water;
-        (*first)->at = water->at, (*first)->t = water->t;
-    }
-    crossWater(v, path, *water, dice, memory);
+    return v.water.enters(path.ray, path.met ? path.met->t : std::numeric_limits<double>::infinity());
 }
 
-// Light along a ray from the eye. firstMet: what it meets first, if anything.
-glm::vec3 radiance(const View& v, const Ray& ray, Dice& dice, GrassMemory& memory, std::optional<Surface>& firstMet) {
-    Path path{ray};
+// Light along a path that has come to its first surface that is not water. It takes one way at water, by chance.
+glm::vec3 follow(const View& v, Path path, Dice& dice, GrassMemory& memory) {
     glm::vec3 &sum = path.sum, &weight = path.weight;
     for (int bounce = 0; bounce < kMostBounces; ++bounce) {
-        advance(v, path, dice, memory, bounce == 0 ? &firstMet : nullptr);
         const std::optional<Surface>& s = path.met;
         if (!s) return sum + weight * background(v, path.ray.way, bounce == 0 && path.seesSun);
         const glm::vec3 toEye(-path.ray.way);
@@ -356,8 +345,34 @@ glm::vec3 radiance(const View& v, const Ray& ray, Dice& dice, GrassMemory& memor
             weight /= goesOn;
         }
         path.ray = leave(*s, next.towards, std::numeric_limits<double>::infinity(), dice);
+        if (const auto water = advance(v, path, memory)) {
+            const WaterShows shows = waterShows(v, *water, path.ray, dice, memory);
+            sum += weight * shows.glint;
+            leaveWater(v, path, *water, shows, dice.unit() < water->mirror, dice, memory);
+        }
     }
     return sum;
+}
+
+// Light along a ray from the eye. firstMet: what it meets first, if anything. At water that the eye sees it goes both
+// ways: by chance, a pixel of few rays would be sky or ground.
+glm::vec3 radiance(const View& v, const Ray& ray, Dice& dice, GrassMemory& memory, std::optional<Surface>& firstMet) {
+    Path path{ray};
+    const std::optional<WaterMet> water = advance(v, path, memory);
+    firstMet = path.met;
+    if (!water) return follow(v, path, dice, memory);
+    firstMet.emplace();
+    firstMet->met = Met::Water;
+    firstMet->at = water->at, firstMet->t = water->t;
+    const WaterShows shows = waterShows(v, *water, ray, dice, memory);
+    glm::vec3 light = shows.glint;
+    for (const bool back : {true, false}) {
+        Path way{ray};
+        way.weight = glm::vec3(back ? water->mirror : 1 - water->mirror);
+        leaveWater(v, way, *water, shows, back, dice, memory);
+        light += follow(v, way, dice, memory);
+    }
+    return light;
 }
 
 glm::vec3 inHaze(const View& v, const glm::vec3& light, const Surface& s) {
