@@ -45,9 +45,9 @@ struct BladePose {
 };
 
 // Where a point relative to the blade's root, or a direction, would be had the place not leant the blade: the linear
-// map that takes its tip back. Neighbours lean as it does, nearly; and a ray meets the same of them when all are
-// sheared together with it. So light among leaning blades is looked up as that among upright ones, in the direction
-// that the map gives.
+// map that takes its tip back, or, of one that curls, its bow. Neighbours lean as it does, nearly; and a ray meets the
+// same of them when all are sheared together with it. So light among leaning blades is looked up as that among upright
+// ones, in the direction that the map gives.
 FN vec3 stoodUp(vec3 p, vec3 upright) { return vec3(p.x - upright.x * p.y, p.y * upright.y, p.z - upright.z * p.y); }
 
 // A patch's blade in a cell: mirrored, scaled, and leant by `lean` (horizontal metres per metre of blade, on top of its
@@ -65,13 +65,14 @@ FN BladePose poseBlade(vec3 control, vec3 tip, vec2 facing, vec2 mirror, vec2 le
     reach = reach * sqrt(reach2 / max(dot(reach, reach), kTiny));
     real height = sqrt(max(size2 - reach2, real(0.0)));
     p.tip = vec3(reach.x, height, reach.y);
-    real high = max(height, size * real(0.05) + kTiny);
-    p.upright = vec3((reach.x - t.x) / high, t.y / high, (reach.y - t.z) / high);
     vec2 shift = (reach - vec2(t.x, t.z)) * real(0.5);
     // Lowered in proportion; raised by half, as the middle of a straight one is: in proportion, one that lay almost
     // flat would shoot up.
     real lowered = c.y * height / max(t.y, size * real(0.05) + kTiny), raised = c.y + (height - t.y) * real(0.5);
     p.control = vec3(c.x + shift.x, min(lowered, raised), c.z + shift.y);
+    // A tip that hangs lower than the bow behind it says nothing of how high its blade stands.
+    real high = max(max(height, p.control.y), size * real(0.05) + kTiny);
+    p.upright = vec3(real(2.0) * shift.x / high, max(t.y, c.y) / high, real(2.0) * shift.y / high);
     p.facing = vec2(facing.x * mirror.x, facing.y * mirror.y);
     return p;
 }

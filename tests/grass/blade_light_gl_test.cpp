@@ -1,5 +1,5 @@
-// Blades in the sun's light are as bright in few quads as in many, by one sample a pixel as by four, and whatever
-// chance sowed those that shade them.
+// Blades in the sun's light are as bright in few quads as in many, by one sample a pixel as by four, whatever chance
+// sowed those that shade them, and however they are bent.
 #include "comparison.h"
 #include "reference/reference.h"
 #include "scenes.h"
@@ -45,6 +45,16 @@ double drawnLight(Project& p, float quad, int msaa) {
     return lightSeen(r.readLinear());
 }
 
+// Of the truth's light, in which blades shade each other as rays find them.
+double lightOfTruths(Project& p) {
+    JobControl control;
+    const auto scene = ReferenceScene::make(p, tables(), 0, control);
+    EXPECT_TRUE(scene) << scene.error().text();
+    ReferenceSettings s;
+    s.width = kWide, s.height = kHigh, s.samples = 32, s.lighting = ReferenceLighting::Direct;
+    return drawnLight(p, 0, 1) / lightSeen(scene->trace(overBlades(), s, control)->color);
+}
+
 TEST(BladeLight, OfFewQuadsIsThatOfMany) {
     NoGlErrors errors;
     for (const float azimuthDeg : {0.0f, 90.0f, 180.0f}) {
@@ -78,16 +88,23 @@ TEST(BladeLight, DoesNotHangOnTheChanceThatSowedTheMask) {
     double least = 1e9, most = 0;
     for (const int seed : {1, 2, 3, 4}) {
         Project p = sunnyBlades(145, seed);
-        JobControl control;
-        const auto scene = ReferenceScene::make(p, tables(), 0, control);
-        ASSERT_TRUE(scene) << scene.error().text();
-        ReferenceSettings s;
-        s.width = kWide, s.height = kHigh, s.samples = 32, s.lighting = ReferenceLighting::Direct;
-        const double share = drawnLight(p, 0, 1) / lightSeen(scene->trace(overBlades(), s, control)->color);
+        const double share = lightOfTruths(p);
         std::printf("seed %d: %.3f of the truth's light\n", seed, share);
         least = std::min(least, share), most = std::max(most, share);
     }
     EXPECT_LT(most - least, 0.12);
+}
+
+// Tips of those that curl hang down to the ground, and their blades stand as high among the others as ever.
+TEST(BladeLight, OfBladesThatCurlIsTheTruths) {
+    NoGlErrors errors;
+    for (const float bend : {0.5f, 0.75f, 0.95f}) {
+        Project p = sunnyBlades(90);
+        grassIn(p).species[0].bend = bend;
+        const double share = lightOfTruths(p);
+        std::printf("bent by %.2f: %.3f of the truth's light\n", double(bend), share);
+        EXPECT_NEAR(share, 1, 0.12) << bend;
+    }
 }
 
 }  // namespace

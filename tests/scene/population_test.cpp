@@ -238,11 +238,26 @@ TEST(Pose, StoodUpTakesThePlacesLeanOffAgain) {
     for (const Blade& b : p.blades)
         for (const glm::vec2 lean : {glm::vec2(0), glm::vec2(0.4f, 0.1f), glm::vec2(-0.3f, 0.5f)}) {
             const f32::BladePose pose = f32::poseBlade(b.control, b.tip, b.facing, {1, 1}, lean, 1.0f);
-            EXPECT_LT(glm::length(f32::stoodUp(pose.tip, pose.upright) - b.tip),
-                      1e-4f * glm::length(b.tip) / std::max(pose.tip.y / glm::length(b.tip), 0.05f))
-                << lean.x;
+            if (b.tip.y >= b.control.y)
+                EXPECT_LT(glm::length(f32::stoodUp(pose.tip, pose.upright) - b.tip),
+                          1e-4f * glm::length(b.tip) / std::max(pose.tip.y / glm::length(b.tip), 0.05f))
+                    << lean.x;
             if (lean.x == 0) EXPECT_LT(glm::length(f32::stoodUp({1, 1, 1}, pose.upright) - glm::vec3(1)), 1e-4f);
         }
+}
+
+TEST(Pose, BladesThatNothingLeansAreAlreadyUprightHoweverTheyAreBent) {
+    for (const float bend : {0.2f, 0.75f, 1.0f}) {
+        Species s = species(2000);
+        s.bend = bend;
+        int curled = 0;
+        for (const Blade& b : makePatch(s, 0.5f, 1).blades) {
+            const f32::BladePose pose = f32::poseBlade(b.control, b.tip, b.facing, {1, 1}, {0, 0}, 1.0f);
+            EXPECT_LT(glm::length(f32::stoodUp({1, 1, 1}, pose.upright) - glm::vec3(1)), 0.02f) << bend;
+            curled += b.tip.y < 0.05f * glm::length(b.tip);
+        }
+        EXPECT_EQ(curled > 0, bend > 0.5f) << "tips hang down to the ground";
+    }
 }
 
 // One that lies almost flat, raised by a clump or by the wind, once shot up to many times its length.
