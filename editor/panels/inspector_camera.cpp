@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include "app/play_control.h"
+#include "model/one_step.h"
 #include "ui/theme.h"
 #include "world/camera_path.h"
 #include "world/view_camera.h"
@@ -27,13 +27,6 @@ Status takeView(Document& doc, const FlyCamera& from, const std::string& path) {
     if (Status s = doc.setField(path + ".eye", vectorText(view.eye)); !s) return s;
     if (Status s = doc.setField(path + ".target", vectorText(view.target)); !s) return s;
     return doc.setField(path + ".fovDeg", fmt::format("{}", view.fovDeg));
-}
-
-Status inOneStep(Document& doc, const std::string& label, const std::function<Status()>& edit) {
-    doc.beginGroup(label);
-    Status done = edit();
-    doc.endGroup();
-    return done;
 }
 
 void cameraTools(const FieldParts& parts, ViewState& view, const std::string& path, const Camera& camera) {
