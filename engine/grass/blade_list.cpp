@@ -11,29 +11,22 @@ namespace {
 
 constexpr float kSlack = 1e-4f;  // of densities, weights and metres: the GPU rounds otherwise
 
-// The chance of sample 0..7, of 256 (coveredAlpha in lib/transparency.glsl).
-uint32_t sampleChance(uint32_t seed, uint32_t i) { return f32::hash3(seed, 1 + i / 4, 0) >> (8 * (i % 4)) & 255; }
-
-// The least opacity at which one of the samples is covered.
-float leastCovered(const Blade& b, int samples) {
-    const uint32_t seed = std::bit_cast<uint32_t>(b.dither);
-    uint32_t least = 255;
-    for (uint32_t i = 0; i < static_cast<uint32_t>(std::clamp(samples, 1, 8)); ++i)
-        least = std::min(least, sampleChance(seed, i));
-    return (static_cast<float>(least) + 0.5f) / 256;
+// The four bytes of x, each with `shift` added to it and what it carries dropped.
+uint32_t bytesShifted(uint32_t x, uint32_t shift) {
+    uint32_t out = 0;
+    for (int bit = 0; bit < 32; bit += 8) out |= (((x >> bit) + shift) & 255) << bit;
+    return out;
 }
 
-float leastOf(const Blade& b, Transparency way, int samples) {
-    switch (way) {
-        case Transparency::Coverage:
-            return leastCovered(b, samples);
-        case Transparency::Both:
-            return 0.1f;
-        case Transparency::Test:
-            return 0.5f;
-        default:
-            return 0.004f;
-    }
+// The least opacity at which one of the samples is covered: their chances, of 256, are those of coveredAlpha in
+// lib/transparency.glsl.
+float leastCovered(const Blade& b, const PixelCoverage& c) {
+    const uint32_t low = bytesShifted(f32::hash3(std::bit_cast<uint32_t>(b.dither), 1, 0), c.shift),
+                   high = f32::hashMix(low);
+    uint32_t least = 255;
+    for (int i = 0; i < std::clamp(c.samples, 1, 8); ++i)
+        least = std::min(least, (i < 4 ? low : high) >> (8 * (i % 4)) & 255);
+    return (static_cast<float>(least) + 0.5f) / 256;
 }
 
 struct CellList {
@@ -93,7 +86,8 @@ struct Lister {
         if (std::max(share.x, share.y) > 1 + kSlack || !inView(at)) return;
         const float distance = glm::length(glm::vec3(at.x, std::clamp(0.0f, low, high), at.y));
         if (q.shadows && !shades(b, distance)) return;
-        if (mostOpacity(b, place, distance) < std::max(q.least[i] - 10 * kSlack, 1e-6f)) return;
+        const float least = q.shadows ? b.dither : leastShown(b, q.shown);
+        if (mostOpacity(b, place, distance) < std::max(least - 10 * kSlack, 1e-6f)) return;
         addStrip(out.indices, i, q.shadows ? std::min(q.cells.segments, kShadowQuads) : cell.segments, q.cells.segments,
                  q.shadows);
         ++out.blades;
@@ -120,18 +114,17 @@ size_t mostIndices(const BladeListQuery& q, std::span<const CellDraw> cells) {
 
 }  // namespace
 
-std::vector<float> leastShown(const Patch& patch, Transparency way, int samples) {
-    std::vector<float> out;
-    out.reserve(patch.blades.size());
-    for (const Blade& b : patch.blades) out.push_back(leastOf(b, way, samples));
-    return out;
-}
-
-std::vector<float> leastShading(const Patch& patch) {
-    std::vector<float> out;
-    out.reserve(patch.blades.size());
-    for (const Blade& b : patch.blades) out.push_back(b.dither);
-    return out;
+float leastShown(const Blade& b, const PixelCoverage& c) {
+    switch (c.way) {
+        case Transparency::Coverage:
+            return leastCovered(b, c);
+        case Transparency::Both:
+            return 0.1f;
+        case Transparency::Test:
+            return 0.5f;
+        default:
+            return 0.004f;
+    }
 }
 
 void addStrip(std::vector<uint32_t>& indices, uint32_t blade, int quads, int segments, bool pointed) {

@@ -12,19 +12,21 @@
 
 namespace sward {
 
-// By blade of a patch: the opacity from which on it may show anything, where pixels that are covered in part are drawn
-// in this way, with so many samples.
-std::vector<float> leastShown(const Patch& patch, Transparency way, int samples);
-// The same of their shadows on the ground: a blade throws one if it is more opaque than its own chance
-// (grass/ground_shadow.h).
-std::vector<float> leastShading(const Patch& patch);
+// How pixels that are covered in part are drawn.
+struct PixelCoverage {
+    Transparency way = Transparency::Coverage;
+    int samples = 1;     // a pixel
+    uint32_t shift = 0;  // by how many 256ths this frame moves chances on: FrameGlobals.chanceShift
+};
+// The opacity, ]0, 1[, from which on a blade may show anything.
+float leastShown(const Blade& b, const PixelCoverage& c);
 
 struct BladeListQuery {
     const CellQuery& cells;
-    std::span<const float> least;  // by blade of the patch
-    float beyond;                  // metres from a root within which all that is drawn of its blade lies
-    float share = 1;               // of each cell's blades, the first ones: ]0, 1]
-    bool shadows = false;          // of these blades, which end in a point
+    float beyond;  // metres from a root within which all that is drawn of its blade lies
+    PixelCoverage shown;
+    float share = 1;       // of each cell's blades, the first ones: ]0, 1]
+    bool shadows = false;  // of these blades, which end in a point; `shown` is idle: each has its chance, dither
 };
 struct BladeList {
     std::vector<uint32_t> indices;      // triangles over the 2 (segments + 1) vertices of each blade of the patch

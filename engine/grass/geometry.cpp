@@ -22,9 +22,6 @@ struct Mesh {
     size_t strips = 0;  // blades that the indices hold, and whether they are a cell's own: as drawCommand takes them
     uint32_t verticesABlade = 0;
     Buffer blades, indices;
-    std::vector<float> least;  // of leastShown, for `way` and `samples`
-    Transparency way{};
-    int samples = 0;
 };
 struct GeometryState : EffectState {
     PerSpecies<Mesh> meshes;
@@ -64,7 +61,6 @@ void updateMesh(DrawContext& ctx, Mesh& m, const GrownSpecies& species, int segm
     const std::vector<Blade>& blades = species.drawn().blades;
     m.blades = makeBuffer(ctx.gpu, kOwner, blades.size() * sizeof(Blade), blades.data());
     m.indices = makeBuffer(ctx.gpu, kOwner, indices.size() * 4, indices.data());
-    m.least.clear();
 }
 
 void updateMeshes(DrawContext& ctx) {
@@ -101,11 +97,8 @@ void commandRanges(DrawContext& ctx, Selection& s) {
 
 // One command a cell, over those of its blades that can be seen.
 void commandLists(DrawContext& ctx, Selection& s, const CellQuery& query, Transparency way) {
-    Mesh& m = *s.mesh;
-    if (m.least.empty() || m.way != way || m.samples != ctx.targets.samples)
-        m.least = leastShown(query.patch, way, ctx.targets.samples);
-    m.way = way, m.samples = ctx.targets.samples;
-    const BladeList list = listBlades({query, m.least, query.reach, ctx.settings.detail}, s.selected);
+    const PixelCoverage shown{way, ctx.targets.samples, ctx.globals.chanceShift};
+    const BladeList list = listBlades({query, query.reach, shown, ctx.settings.detail}, s.selected);
     if (list.tooMany) return commandRanges(ctx, s);
     writeBuffer(ctx.gpu, s.listed, kOwner, list.indices.size() * sizeof(uint32_t), list.indices.data());
     uploadCommands(ctx, s, list.commands, list.blades);

@@ -16,8 +16,6 @@ struct One {
     Buffer commands;
     Buffer listed;  // indices, where the driver shades vertices on the CPU; else those of the blades' own mesh
     GLsizei count = 0;
-    std::vector<float> least;
-    uint64_t leastOf = 0;  // the patch's key
 };
 struct ShadowView : EffectState {
     PerSpecies<One> species;
@@ -33,12 +31,10 @@ std::vector<DrawCommand> commandRanges(const BladeDraws& blades, float share) {
 }
 
 // The blades whose shadows can be seen.
-BladeList shadowList(const DrawContext& ctx, One& one, const Field& field, size_t i, float share) {
-    const GrownSpecies& species = *field.grown->species[i];
+BladeList shadowList(const DrawContext& ctx, const Field& field, size_t i, float share) {
     const BladeDraws& blades = field.species[i].draws;
-    if (one.leastOf != species.drawnKey()) one.least = leastShading(species.drawn()), one.leastOf = species.drawnKey();
     const CellQuery query = drawnQuery(ctx, field, i);
-    return listBlades({query, one.least, query.reach + groundShadowReach(ctx, field, i), share, true},
+    return listBlades({query, query.reach + groundShadowReach(ctx, field, i), {}, share, true},
                       {blades.cells, blades.count});
 }
 
@@ -51,7 +47,7 @@ void makeCommands(DrawContext& ctx, One& one, const Field& field, size_t i) {
         return;
     }
     BladeList list;
-    const bool listed = blades.count > 0 && ctx.gpu.software && !(list = shadowList(ctx, one, field, i, share)).tooMany;
+    const bool listed = blades.count > 0 && ctx.gpu.software && !(list = shadowList(ctx, field, i, share)).tooMany;
     if (listed)
         writeBuffer(ctx.gpu, one.listed, kOwner, list.indices.size() * sizeof(uint32_t), list.indices.data());
     else

@@ -38,7 +38,8 @@ struct ListedField {
 using Seen = std::set<std::pair<uint32_t, uint32_t>>;  // cell, blade
 
 // Blades of the cells that are opaque enough to be seen, in view or about to reach into it.
-Seen mustBeListed(const CellQuery& q, const std::vector<float>& least, const std::vector<CellDraw>& cells) {
+template <class Least>
+Seen mustBeListed(const CellQuery& q, const Least& least, const std::vector<CellDraw>& cells) {
     Seen out;
     for (uint32_t c = 0; c < cells.size(); ++c)
         for (uint32_t i = cells[c].first; i < cells[c].last; ++i) {
@@ -49,7 +50,7 @@ Seen mustBeListed(const CellQuery& q, const std::vector<float>& least, const std
                 q.density->sample((cells[c].cellX * 0.5 + root.x) / 20, (cells[c].cellZ * 0.5 + root.y) / 20);
             const float opacity = f32::geometryOpacity(density, f32::lodRamp(glm::length(at), q.range.min, q.range.inv),
                                                        thresholdIn(q, cells[c], b), q.fade);
-            if (opacity > 0 && opacity >= least[i] &&
+            if (opacity > 0 && opacity >= least(b) &&
                 q.frustum.touches(at - glm::vec3(q.reach, 0, q.reach), at + q.reach))
                 out.emplace(c, i);
         }
@@ -70,9 +71,11 @@ TEST(BladeList, HoldsEveryBladeThatIsSeenAndFewOthers) {
     uint64_t inRanges = 0;
     for (const CellDraw& c : cells) inRanges += c.last - c.first;
     for (const int samples : {1, 4}) {
-        const std::vector<float> least = leastShown(f.patch, Transparency::Coverage, samples);
-        const BladeList list = listBlades({q, least, q.reach}, cells);
-        const Seen needed = mustBeListed(q, least, cells), there = listed(list, q.segments);
+        const PixelCoverage shown{.samples = samples};
+        const BladeList list = listBlades({q, q.reach, shown}, cells);
+        const Seen needed = mustBeListed(
+                       q, [&](const Blade&b) { return leastShown(b, shown); }, cells),
+                   there = listed(list, q.segments);
         EXPECT_EQ(list.blades, there.size()) << "none twice";
         EXPECT_TRUE(std::includes(there.begin(), there.end(), needed.begin(), needed.end()));
         EXPECT_GT(needed.size(), 1000u);
@@ -87,9 +90,9 @@ TEST(BladeList, OfShadowsItHoldsThoseThatStandForOthers) {
     CellQuery q = f.query();
     q.pixelsPerMetre = 200;
     const std::vector<CellDraw> cells = selectCells(q);
-    const std::vector<float> least = leastShading(f.patch);
-    const Seen all = mustBeListed(q, least, cells),
-               shown = listed(listBlades({q, least, q.reach, 1, true}, cells), q.segments);
+    const Seen all = mustBeListed(
+                   q, [](const Blade&b) { return b.dither; }, cells),
+               shown = listed(listBlades({q, q.reach, {}, 1, true}, cells), q.segments);
     size_t needed = 0;
     for (const auto& [c, i] : all) {
         const Blade& b = f.patch.blades[i];
@@ -109,16 +112,27 @@ TEST(BladeList, OfShadowsItHoldsThoseThatStandForOthers) {
 
 TEST(BladeList, MoreSamplesShowMoreOfWhatFades) {
     const ListedField f;
-    const auto least = [&](Transparency way, int samples) {
+    const auto least = [&](const PixelCoverage& shown) {
         double sum = 0;
-        for (const float l : leastShown(f.patch, way, samples)) sum += l;
+        for (const Blade& b : f.patch.blades) sum += leastShown(b, shown);
         return sum / static_cast<double>(f.patch.blades.size());
     };
-    EXPECT_NEAR(least(Transparency::Coverage, 1), 1.0 / 2, 0.05)
-        << "the mean of the least of n random numbers is 1 / (n + 1)";
-    EXPECT_NEAR(least(Transparency::Coverage, 4), 1.0 / 5, 0.03);
-    EXPECT_NEAR(least(Transparency::Coverage, 8), 1.0 / 9, 0.03);
-    EXPECT_LT(least(Transparency::Blend, 1), 0.005);
+    EXPECT_NEAR(least({.samples = 1}), 1.0 / 2, 0.05) << "the mean of the least of n random numbers is 1 / (n + 1)";
+    EXPECT_NEAR(least({.samples = 4}), 1.0 / 5, 0.03);
+    EXPECT_NEAR(least({.samples = 8}), 1.0 / 9, 0.03);
+    EXPECT_LT(least({.way = Transparency::Blend}), 0.005);
+}
+
+// Frames that add up take turns with the blades that fade: over all of them, each is there as often as it is opaque.
+TEST(BladeList, FramesThatAddUpListEachBladeAsOftenAsItIsOpaque) {
+    const ListedField f;
+    for (size_t i = 0; i < f.patch.blades.size(); i += 37)
+        for (const float opacity : {0.1f, 0.5f, 0.9f}) {
+            int frames = 0;
+            for (uint32_t shift = 0; shift < 256; ++shift)
+                frames += leastShown(f.patch.blades[i], {.shift = shift}) <= opacity;
+            EXPECT_NEAR(frames, 256 * opacity, 1) << "blade " << i;
+        }
 }
 
 TEST(BladeList, AddStripCoversTheFirstRowsOfTheBladesVertices) {

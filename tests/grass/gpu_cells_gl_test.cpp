@@ -8,6 +8,7 @@
 #include "fields.h"
 #include "gl_calls.h"
 #include "grass/comparison.h"
+#include "scene/antialias.h"
 #include "scenes.h"
 #include "support.h"
 #include "techniques.h"
@@ -76,6 +77,17 @@ TEST(GpuCells, PicturesAndCountsAreTheCpus) { expectPicturesOfTheCpu(Technique::
 TEST(GpuCells, PicturesAreTheCpusOfTheHybridAndWithoutPaintToo) {
     expectPicturesOfTheCpu(Technique::Tessellated, false);
     for (const bool painted : {false, true}) expectPicturesOfTheCpu(Technique::Hybrid, painted);
+}
+
+// In each frame other blades of those that fade are there: the lists of the CPU follow.
+TEST(GpuCells, PicturesOfFramesThatAddUpAreTheCpus) {
+    NoGlErrors errors;
+    Renderer cpu(gpu(), tables()), own(gpu(), tables());
+    Project p = meadow(Technique::Geometry, true);
+    setAntialias(p, Antialiasing::Temporal);
+    for (int frame = 0; frame < 4; ++frame)
+        EXPECT_TRUE(pictureOf(cpu, p, Culling::Cpu, eyeHeight()) == pictureOf(own, p, Culling::Gpu, eyeHeight()))
+            << "frame " << frame;
 }
 
 TEST(GpuCells, CountsAreThisFramesWhereThatIsAskedFor) {
