@@ -13,6 +13,8 @@ constexpr const char* kOwner = "grass/flowers";
 constexpr uint32_t kCorners = 8, kIndices = 12;  // of a flower: stem and head
 constexpr float kThinFrom = 0.35f;               // share of maxDistance from which flowers are left out
 constexpr float kWidest = 1.7f;                  // how much larger those left are, each way
+constexpr float kLeastPixels = 0.5f;             // across a head; smaller ones stand for each other
+constexpr int kLeastRows = 16;  // of the head in the smallest image: in a smaller one stems run into it
 
 struct Kind {
     std::string textureOf = "?";
@@ -34,6 +36,9 @@ void updateTexture(DrawContext& ctx, Kind& k, const Flowers& f) {
     k.textureOf = f.texture;
     k.image = flowerImage(ctx.project, f);
     k.texture = makeColorTexture(ctx.gpu, kOwner, k.image.pixels, false);
+    const float rows = k.image.headShare * static_cast<float>(k.image.pixels.height);
+    const int smallest = static_cast<int>(std::log2(std::max(rows / kLeastRows, 1.0f)));
+    glTextureParameteri(k.texture.id(), GL_TEXTURE_MAX_LEVEL, smallest);
 }
 
 // Corners 0 to 3 are the stem's, from the root up; 4 to 7 the head's.
@@ -57,7 +62,10 @@ void makeMesh(DrawContext& ctx, Kind& k, uint32_t most) {
     glVertexArrayAttribFormat(mesh, 1, 2, GL_FLOAT, GL_FALSE, offsetof(FlowerCell, corner));
 }
 
-FlowerGlobals globalsOf(const Terrain& t, const Flowers& f, const FlowerGrid& grid, const Kind& k) {
+// Metres a metre of distance.
+float leastSize(const DrawContext& ctx) { return kLeastPixels / pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings)); }
+
+FlowerGlobals globalsOf(const DrawContext& ctx, const Flowers& f, const FlowerGrid& grid, const Kind& k) {
     FlowerGlobals g{};
     const float from = kThinFrom * f.maxDistance;
     g.petal = f.color, g.second = f.secondColor, g.center = f.centerColor, g.stem = f.stemColor;
@@ -66,11 +74,12 @@ FlowerGlobals globalsOf(const Terrain& t, const Flowers& f, const FlowerGrid& gr
     g.cellSize = static_cast<float>(grid.side);
     g.expected = grid.expected;
     g.seed = static_cast<uint32_t>(f.seed & 0xFFFFFF);
-    g.tiling = f.density.present() ? shaderTiling(t, f.densityTiling) : -1;
+    g.tiling = f.density.present() ? shaderTiling(*ctx.shared.ground.terrain, f.densityTiling) : -1;
     g.made = k.image.made;
     g.thinFrom = from, g.thinInv = f32::lodInverse(from, f.maxDistance);
     g.widest = kWidest;
     g.headShare = k.image.headShare;
+    g.leastSize = leastSize(ctx);
     return g;
 }
 
@@ -80,6 +89,7 @@ struct CellSearch {
     const Flowers& f;
     const FlowerGrid& grid;
     DensityRanges& ranges;
+    float least;  // as leastSize has it
     std::vector<FlowerCell> cells;
     std::vector<DrawCommand> commands;
 
@@ -91,14 +101,17 @@ struct CellSearch {
                    [&] { return densityRange(f.density.map, ranges.tiling, x0, z0, x0 + grid.side, z0 + grid.side); })
             .second;
     }
-    // Flowers of a cell that may be seen at a distance; their numbers are the least ones.
-    uint32_t count(int x, int z, float distance) const {
+    // Flowers of a cell of this density that may be seen at a distance; their numbers are the least ones.
+    uint32_t count(float most, float distance) const {
         const float kept = 1 - f32::lodRamp(distance, kThinFrom * f.maxDistance,
                                             f32::lodInverse(kThinFrom * f.maxDistance, f.maxDistance));
-        const float share = std::min(1.25f * kept, 1.0f) * density(x, z);
+        const float standing = f32::flowersStanding(f.headSize / std::max(least * distance, 1e-6f));
+        const float share = std::min(f32::flowerRankMost(standing, kept), 1.0f) * most;
         return std::min(static_cast<uint32_t>(std::ceil(share * grid.expected)), grid.most);
     }
     void visit(int x, int z) {
+        const float most = density(x, z);
+        if (!(most > 0)) return;
         const Terrain& t = *ctx.shared.ground.terrain;
         const double x0 = x * grid.side, z0 = z * grid.side,
                      reach = static_cast<double>(f.height * (1 + f.heightVariation) + 2 * f.headSize);
@@ -107,7 +120,7 @@ struct CellSearch {
             to(glm::dvec3(x0 + grid.side + reach, high + reach, z0 + grid.side + reach) - ctx.eye);
         const float distance = glm::length(glm::max(glm::max(from, -to), glm::vec3(0)));
         if (distance >= f.maxDistance || !ctx.frustum.touches(from, to)) return;
-        const uint32_t n = count(x, z, distance);
+        const uint32_t n = count(most, distance);
         if (n == 0) return;
         commands.push_back({n * kIndices, 1, 0, 0, static_cast<uint32_t>(cells.size())});
         cells.push_back({{x, z}, glm::vec2(glm::dvec2(x0 - ctx.eye.x, z0 - ctx.eye.z))});
@@ -135,10 +148,10 @@ void updateKind(DrawContext& ctx, const std::string& entity, const Flowers& f, K
                                     : 0;
     if (f.density.present())
         keepRangesOf(k.ranges, f.density.map, tilingOf(*ctx.shared.ground.terrain, f.densityTiling), grid.side);
-    CellSearch search{ctx, f, grid, k.ranges, {}, {}};
+    CellSearch search{ctx, f, grid, k.ranges, leastSize(ctx), {}, {}};
     search.run();
     k.drawn = static_cast<GLsizei>(search.commands.size());
-    const FlowerGlobals g = globalsOf(*ctx.shared.ground.terrain, f, grid, k);
+    const FlowerGlobals g = globalsOf(ctx, f, grid, k);
     writeBuffer(ctx.gpu, k.globals, kOwner, sizeof(g), &g);
     writeBuffer(ctx.gpu, k.cells, kOwner, search.cells.size() * sizeof(FlowerCell), search.cells.data());
     writeBuffer(ctx.gpu, k.commands, kOwner, search.commands.size() * sizeof(DrawCommand), search.commands.data());

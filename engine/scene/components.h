@@ -222,7 +222,7 @@ struct Flowers {
     glm::vec3 stemColor{0.05f, 0.1f, 0.025f};
     std::string
         texture;  // PNG with alpha: its top square the head, what is below it the stem; empty: made by the program
-    float maxDistance = 40;  // metres from which none is drawn
+    float maxDistance = 150;  // metres from which none is drawn
     int seed = 1;
 };
 

@@ -28,8 +28,8 @@ entity.add("grass", { GrassField = {
     },
 } })
 entity.add("lake", { Water = { level = 0, clarity = 3.2, color = { 0.012, 0.032, 0.028 }, ripples = 0.22, rippleSize = 0.9 } })
-entity.add("daisies", { Flowers = { flowersPerM2 = 26, height = 0.34, heightVariation = 0.3, headSize = 0.042, color = { 0.74, 0.72, 0.66 }, secondColor = { 0.74, 0.66, 0.42 }, maxDistance = 45 } })
-entity.add("asters", { Flowers = { flowersPerM2 = 16, height = 0.4, heightVariation = 0.3, headSize = 0.05, color = { 0.36, 0.13, 0.46 }, secondColor = { 0.58, 0.2, 0.4 }, seed = 7, maxDistance = 45 } })
+entity.add("daisies", { Flowers = { flowersPerM2 = 26, height = 0.34, heightVariation = 0.3, headSize = 0.042, color = { 0.74, 0.72, 0.66 }, secondColor = { 0.74, 0.66, 0.42 }, maxDistance = 200 } })
+entity.add("asters", { Flowers = { flowersPerM2 = 16, height = 0.4, heightVariation = 0.3, headSize = 0.05, color = { 0.36, 0.13, 0.46 }, secondColor = { 0.58, 0.2, 0.4 }, seed = 7, maxDistance = 200 } })
 -- Frames that add up are as near to the truth as four samples, in less time (sward cost).
 entity.add("antialias", { Antialias = { antialias = "temporal" } })
 entity.add("sun", { Light = { azimuthDeg = 312, elevationDeg = 40 } })

@@ -74,8 +74,10 @@ void main() {
          place = mapPlace(ground);
     vec2 at = cellCorner + f.place * flowers.cellSize;
     vec3 root = vec3(at.x, groundHeight(ground), at.y);
-    float kept = 1.0 - lodRamp(length(root), flowers.thinFrom, flowers.thinInv);
-    float size = max(share.x, share.y) > 1.0 ? 0.0 : flowerSize(f.threshold, densityAt(place), kept, flowers.widest);
+    float distance = length(root), kept = 1.0 - lodRamp(distance, flowers.thinFrom, flowers.thinInv),
+          standing = flowersStanding(flowers.headSize / max(flowers.leastSize * distance, 1e-6));
+    float size =
+        max(share.x, share.y) > 1.0 ? 0.0 : flowerSize(f.threshold, densityAt(place), standing, kept, flowers.widest);
     uv = vec2(0.0);
     lit = vec4(0.0);
     shown = petal = vec3(0.0);

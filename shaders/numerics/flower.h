@@ -61,14 +61,29 @@ FN FlowerFrame flowerFrame(vec3 stem, vec2 facing, vec3 toEye) {
 // The normal by which a stem is lit: round, seen from the eye's side.
 FN vec3 stemNormal(vec3 toEye) { return unitOr(vec3(toEye.x, real(0.5), toEye.z), real(1e-6), vec3(0.0f, 1.0f, 0.0f)); }
 
-// Share of its size that a flower has where the distance leaves `kept` of all: they shrink one after the other, the
-// highest thresholds first; those left are larger by at most `widest` each way. threshold and density: as they stand,
-// density above 0.
-FN real flowerSize(real threshold, real density, real kept, real widest) {
-    if (!(threshold <= density)) return real(0.0);
-    real share = clamp((real(1.25) * kept - threshold / density) * 4.0f, real(0.0), real(1.0));
-    return share * min(1.0f / sqrt(max(kept, real(1e-3))), widest);
+// Share of flowers that stand for all, larger each by one over its root, where heads are small: size of a head, as a
+// share of the least that is drawn. [4e-4, 1].
+FN real flowersStanding(real size) {
+    real s = clamp(size, real(0.02), real(1.0));
+    return s * s;
 }
+// How far below that share of the ranks flowers are no longer whole; they are gone twice as far above it, so that they
+// cover as much as all.
+FN real flowersBetween(real standing) { return clamp(1.0f - standing, real(1e-6), real(0.1) * standing); }
+FN real flowersGone(real standing) { return standing + 2.0f * flowersBetween(standing) + real(2e-6); }
+
+// Share of its size that a flower has where so many stand for all, and of those the distance leaves `kept`: they shrink
+// one after the other, the highest thresholds first; those left are larger by at most `widest` each way beyond what
+// they stand for. threshold and density: as they stand, density above 0.
+FN real flowerSize(real threshold, real density, real standing, real kept, real widest) {
+    if (!(threshold <= density)) return real(0.0);
+    real rank = threshold / density, between = flowersBetween(standing);
+    real stands = clamp((flowersGone(standing) - rank) / (3.0f * between), real(0.0), real(1.0)),
+         left = clamp((real(1.25) * kept - rank / standing) * 4.0f, real(0.0), real(1.0));
+    return stands * left * min(1.0f / sqrt(max(kept, real(1e-3))), widest) / sqrt(standing);
+}
+// The highest rank, threshold over density, of a flower that has a size.
+FN real flowerRankMost(real standing, real kept) { return min(flowersGone(standing), real(1.25) * kept * standing); }
 
 // What petals and stems send of light from `towards`, as a share of what faces it would: some shines through.
 FN real flowerSends(vec3 normal, vec3 towards) {

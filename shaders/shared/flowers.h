@@ -23,6 +23,7 @@ struct STD140 FlowerGlobals {
     float thinInv;    // lodInverse to where all are
     float widest;     // greatest widening of those left
     float headShare;  // height of the head in the image, as a share
+    float leastSize;  // of a head that is drawn (m a metre of distance)
 };
 
 // A cell that flowers are drawn of.

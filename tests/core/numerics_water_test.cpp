@@ -130,17 +130,37 @@ TEST(NumericsFlower, AsManyExistAsTheDensitySays) {
 
 TEST(NumericsFlower, DistanceShrinksThemOneAfterTheOtherAndNeverJumps) {
     for (const float threshold : {0.05f, 0.3f, 0.6f}) {
-        float last = f32::flowerSize(threshold, 0.6f, 1, 1.7f);
+        float last = f32::flowerSize(threshold, 0.6f, 1, 1, 1.7f);
         EXPECT_EQ(last, 1);
         for (int i = 1; i <= 1000; ++i) {
-            const float size = f32::flowerSize(threshold, 0.6f, 1 - static_cast<float>(i) / 1000, 1.7f);
+            const float size = f32::flowerSize(threshold, 0.6f, 1, 1 - static_cast<float>(i) / 1000, 1.7f);
             EXPECT_LT(std::abs(size - last), 0.02f);
             last = size;
         }
         EXPECT_EQ(last, 0);
     }
-    EXPECT_EQ(f32::flowerSize(0.61f, 0.6f, 1, 1.7f), 0);
-    EXPECT_EQ(f32::flowerSize(0.5f, 0, 1, 1.7f), 0);
+    EXPECT_EQ(f32::flowerSize(0.61f, 0.6f, 1, 1, 1.7f), 0);
+    EXPECT_EQ(f32::flowerSize(0.5f, 0, 1, 1, 1.7f), 0);
+}
+
+// However few stand for all, and however many of those the distance leaves: as much is covered, up to the widest.
+TEST(NumericsFlower, ThoseThatStandForOthersCoverAsMuchAndNoRankBeyondTheMostHasASize) {
+    constexpr int kRanks = 200000;
+    for (const float size : {1.0f, 0.97f, 0.7f, 0.3f, 0.1f, 0.02f}) {
+        const float standing = f32::flowersStanding(size);
+        for (const float kept : {1.0f, 0.6f}) {
+            double covered = 0;
+            for (int i = 0; i < kRanks; ++i) {
+                const float rank = (static_cast<float>(i) + 0.5f) / kRanks,
+                            one = f32::flowerSize(0.4f * rank, 0.4f, standing, kept, 1.7f);
+                covered += static_cast<double>(one) * static_cast<double>(one) / kRanks;
+                if (rank > f32::flowerRankMost(standing, kept) * 1.0001f) ASSERT_EQ(one, 0) << size << " " << rank;
+            }
+            EXPECT_NEAR(covered, 1, kept < 1 ? 0.12 : 0.02) << size << " " << kept;
+        }
+    }
+    EXPECT_EQ(f32::flowersStanding(4), 1);
+    EXPECT_GT(f32::flowersStanding(0), 0);
 }
 
 TEST(NumericsFlower, ItsPiecesAreSquareToEachOtherFromEverySide) {

@@ -6,6 +6,7 @@
 #include "maps/map_io.h"
 #include "objects.h"
 #include "reference/reference.h"
+#include "scene/antialias.h"
 #include "techniques.h"
 #include "world/view_camera.h"
 
@@ -50,21 +51,23 @@ double meanRed(const std::vector<float>& image) {
     return sum / (static_cast<double>(image.size()) / 3);
 }
 
+std::vector<float> traced(const Project& p, const ViewCamera& c) {
+    JobControl control;
+    auto scene = ReferenceScene::make(p, tables(), 0, control);
+    EXPECT_TRUE(scene);
+    ReferenceSettings s;
+    s.width = kBedWidth, s.height = kBedHeight, s.samples = 32, s.lighting = ReferenceLighting::Direct;
+    return scene->trace(c, s, control)->color;
+}
+
 TEST(Flowers, CoverAsMuchAsInTheRayTracedTruth) {
     NoGlErrors errors;
     Project p = bed();
     flowersIn(p).maxDistance = 1000;  // none left out
     put<Wind>(p, "wind");
-    JobControl control;
-    auto scene = ReferenceScene::make(p, tables(), 0, control);
-    ASSERT_TRUE(scene);
-    ReferenceSettings s;
-    s.width = kBedWidth, s.height = kBedHeight, s.samples = 32, s.lighting = ReferenceLighting::Direct;
-    const auto truth = scene->trace(over(), s, control);
-    ASSERT_TRUE(truth);
-    const std::vector<float> picture = drawn(p);
-    EXPECT_GT(meanRed(truth->color), 0.02);
-    EXPECT_NEAR(meanRed(picture) / meanRed(truth->color), 1, 0.06);
+    const std::vector<float> picture = drawn(p), truth = traced(p, over());
+    EXPECT_GT(meanRed(truth), 0.02);
+    EXPECT_NEAR(meanRed(picture) / meanRed(truth), 1, 0.06);
     // And at the same places: of blocks of 10 x 10 pixels.
     for (int by = 0; by + 30 <= kBedHeight; by += 30)
         for (int bx = 0; bx + 30 <= kBedWidth; bx += 30) {
@@ -72,10 +75,30 @@ TEST(Flowers, CoverAsMuchAsInTheRayTracedTruth) {
             for (int y = by; y < by + 30; ++y)
                 for (int x = bx; x < bx + 30; ++x) {
                     const size_t i = 3 * (static_cast<size_t>(y) * kBedWidth + static_cast<size_t>(x));
-                    a += static_cast<double>(picture[i]), b += static_cast<double>(truth->color[i]);
+                    a += static_cast<double>(picture[i]), b += static_cast<double>(truth[i]);
                 }
             EXPECT_NEAR(a / 900, b / 900, 0.03 + 0.15 * b / 900) << bx << " " << by;
         }
+}
+
+// Where a head is a quarter of a pixel, a sixteenth of the flowers stands for all; and stems, of which only the middle
+// of their image is anything, do not turn into boards.
+TEST(Flowers, CoverAsMuchFarAway) {
+    NoGlErrors errors;
+    const ViewCamera far{{6, 22, -40}, {6, 0, 5}, 10, 0};
+    for (const bool stems : {false, true}) {
+        Project p = bed();
+        Flowers& f = flowersIn(p);
+        f.maxDistance = 1000, f.headSize = 0.035f, f.flowersPerM2 = 60;
+        if (!stems) f.stemColor = {0, 0, 0};
+        put<Antialias>(p, "antialias", {.antialias = Antialiasing::Temporal});
+        Renderer r(gpu(), tables());
+        for (int frame = 0; frame < 64; ++frame) ASSERT_TRUE(r.draw(p, far, settings()));
+        const double picture = meanRed(r.readLinear()), truth = meanRed(traced(p, far));
+        EXPECT_GT(truth, 0.002);
+        EXPECT_NEAR(picture / truth, 1, 0.1) << (stems ? "with stems" : "heads");
+        std::printf("far flowers %s: %.3f of the truth\n", stems ? "with stems" : "heads", picture / truth);
+    }
 }
 
 TEST(Flowers, GrowWhereTheMapSays) {
