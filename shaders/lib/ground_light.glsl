@@ -10,9 +10,9 @@
 // The slope of ground of this upward normal, as lib/heights.glsl has it.
 vec2 slopeOf(vec3 n) { return -n.xz / max(n.y, 0.05); }
 // Share of light that a species leaves to soil where it has this density and share of its height; shade: at 1 and 1.
-// What takes light is leaves' area, and that is in proportion to the height.
+// What takes light is leaves' area, and that is in proportion to both (Beer's law).
 vec3 soilLeft(vec3 shade, float density, float tall) {
-    return mix(vec3(1.0), GRASS_HEIGHTS ? pow(max(shade, vec3(1e-6)), vec3(tall)) : shade, density);
+    return pow(max(shade, vec3(1e-6)), vec3(GRASS_HEIGHTS ? density * tall : density));
 }
 float soilLeft(float shade, float density, float tall) { return soilLeft(vec3(shade), density, tall).x; }
 // The share of the sun's light that is left, and of a lamp's that stands so high (sine: kLampSines); of the sky's; and

@@ -1,6 +1,7 @@
 // Low grass in a gap of tall grass, under a low sun: as dark as in the ray-traced truth; and crests as high as their
 // grass.
 #include "comparison.h"
+#include "missed.h"
 #include "reference/reference.h"
 #include "scenes.h"
 #include "techniques.h"
@@ -76,6 +77,47 @@ TEST(AmongGl, AGapInTallGrassIsAsDarkAsInTheTruth) {
                truth, apart);
         EXPECT_LE(std::abs(together - truth), 0.15 * (apart - truth)) << nameOf(t);
         EXPECT_GT(apart, 5 * truth) << nameOf(t) << ": the rival that must lose";
+    }
+}
+
+// Black grass of a quarter of its density on bright soil, under the sun alone: what is seen is soil, and what the
+// blades leave of its light. Leaves' area is in proportion to the density, and so is the logarithm of the light, not
+// the light.
+TEST(AmongGl, SoilUnderThinGrassIsAsDarkAsInTheTruth) {
+    NoGlErrors errors;
+    const ViewCamera aside{{4, 9, -16}, {4, 0, 4}, 12, 0};
+    Project p;
+    Terrain ground;
+    ground.size = {kSide, kSide}, ground.groundColor = {0.5f, 0.5f, 0.5f};
+    give(p, "ground", ground);
+    FlatField f;
+    Species& s = f.species[0];
+    s.bladesPerM2 = 4000, s.height = 0.3f, s.width = 0.0065f;
+    s.rootColor = s.midColor = s.tipColor = {0, 0, 0};
+    f.sliceWidth = 512, f.sliceHeight = 128, f.farSize = 512;
+    s.density = {"maps/thin.png", filled({8, 8, 1, PixelType::F32}, 0.25f)};
+    put(p, "grass", f);
+    Light sun;
+    sun.azimuthDeg = 60, sun.elevationDeg = 40;
+    give(p, "sun", sun);
+    JobControl control;
+    const auto scene = ReferenceScene::make(p, tables(), 0, control);
+    ASSERT_TRUE(scene) << scene.error().text();
+    ReferenceSettings settings;
+    settings.width = settings.height = kPixels, settings.samples = 16;
+    const double truth = greenOf(scene->trace(aside, settings, control)->color);
+    EXPECT_GT(truth, 0.01);
+    for (const Technique t : {Technique::Flat, Technique::Raytraced, Technique::Tessellated}) {
+        for (const auto& [name, entity] : fieldsOf(p))
+            p.registry.get<GrassField>(findEntity(p, name))->technique = nameOf(t);
+        Renderer r(gpu(), tables());
+        ASSERT_TRUE(r.draw(p, aside, sized(kPixels, kPixels)));
+        const double drawn = greenOf(r.readLinear());
+        printf("%-12s %.3f of the truth's soil\n", nameOf(t), drawn / truth);
+        if (t == Technique::Raytraced)
+            expectMissed("soil between thin blades, seen by rays", std::abs(drawn / truth - 1), 0.12, 0.582);
+        else
+            EXPECT_NEAR(drawn / truth, 1, 0.12) << nameOf(t);
     }
 }
 
