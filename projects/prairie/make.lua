@@ -32,7 +32,7 @@ entity.add("grass", { GrassField = {
 }, TessellatedBlades = { maxDistance = 36, levelBy = "pixels", leastPixels = 0.5, thinning = 0 } })
 entity.add("antialias", { Antialias = { antialias = "temporal" } })
 entity.add("daisies", { Flowers = { densityTiling = every(67), flowersPerM2 = 9, height = 0.38, heightVariation = 0.35, headSize = 0.05, color = { 0.74, 0.6, 0.1 },
-    secondColor = { 0.74, 0.7, 0.6 }, maxDistance = 150 } })
+    secondColor = { 0.74, 0.7, 0.6 }, maxDistance = 80 } })
 entity.add("sun", { Light = { azimuthDeg = 205, elevationDeg = 33 } })
 entity.add("sky", { Sky = { model = "atmosphere", turbidity = 1.3 } })
 entity.add("haze", { Fog = { visibility = 4000 } })
