@@ -53,15 +53,19 @@ void main() {
     vec3 towards = light == 0 ? frame.sunDirection : lampAt(light - 1, position).direction;
     float here = lodRamp(d, bladesUntil.x, bladesUntil.y), near = 1.0 - lodRamp(d, field.shadeFrom, field.shadeInv);
     vec2 uv = mapPlace(place);
-    float grown = fieldDensity(uv), tall = bladeShareSeen(uv), density = sliceDensity(grown, here);
-    if (!(density * near > 0.0) || !(towards.y > 0.0)) discard;
+    float grown = fieldDensity(uv), tall = bladeShareSeen(uv);
+    if (!(towards.y > 0.0)) discard;
     float high = max(towards.y, 0.2);  // lower light throws no longer shadows
+    // What stands before a light is what grows half-way to where it comes in.
+    float before = fieldDensity(uv + towards.xz * (0.5 * slices.meanHeight * slices.cellSize / high) * frame.mapShare),
+          density = sliceDensity(before, here);
+    if (!(density * near > 0.0)) discard;
     Repeated r = repeated(position.xz + towards.xz * (slices.farHeight / high));
     float opacity = shadeOf(r, towards, high, density, tall, laidBy(forceHere(position.xz, uv)));
     SpeciesInField kind = field.species[slices.species];
     vec3 n = normalize(normal);
     SoilShares soil = soilShares(
-        soilLeft(slices.area, vec2(kind.skyLeft, kind.scattered), slopeOf(n), grown, grown, tall), near, skyShare(uv));
+        soilLeft(slices.area, vec2(kind.skyLeft, kind.scattered), slopeOf(n), grown, before, tall), near, skyShare(uv));
     vec3 takes = shadowShare(light, position, n, soil);
     dimSurface(clamp(vec3(1.0) - takes * (opacity * near), vec3(0.0), vec3(1.0)), hazeLight(position));
 }
