@@ -62,7 +62,7 @@ void makeMesh(DrawContext& ctx, Kind& k, uint32_t most) {
     glVertexArrayAttribFormat(mesh, 1, 2, GL_FLOAT, GL_FALSE, offsetof(FlowerCell, corner));
 }
 
-// Metres a metre of distance.
+// Least size of a head that is drawn, in metres a metre of distance.
 float leastSize(const DrawContext& ctx) { return kLeastPixels / pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings)); }
 
 FlowerGlobals globalsOf(const DrawContext& ctx, const Flowers& f, const FlowerGrid& grid, const Kind& k) {

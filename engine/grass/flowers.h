@@ -4,7 +4,8 @@
 // leave, and drawn at once; the vertex stage places, leans and lights them. With distance they shrink one after the
 // other, and those left grow: few large ones stand for many where a head is less than half a pixel. Does not: cast
 // shadows, show in water (ripples that look past the near shore would find heads there), nor stand in the grass's own
-// (the shadow mask is of blades). Cost: 8 vertices a flower; 32 bytes a cell in view; an image of 64 x 160.
+// (the shadow mask is of blades). Cost: 8 vertices a flower; a look at each cell within
+// maxDistance, 32 bytes for one in view; an image of 64 x 160.
 #pragma once
 #include "scene/rows.h"
 
