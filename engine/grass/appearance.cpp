@@ -333,6 +333,39 @@ float grazedHeight(const Look& look) {
     return sum / std::max(1 - left, 1e-6f);
 }
 
+// In the light from one direction: what blades send, and what vertical slices and the horizontal one do without gains.
+struct Directed {
+    glm::vec3 aim, vertical, horizontal;
+};
+// By direction as LampGains has them. seen: how the images take the light.
+std::vector<Directed> directedOf(const Look& look, FieldLight leaves, FieldLight seen, const DrawnImages& images) {
+    leaves.sky = leaves.ground = seen.sky = seen.ground = glm::vec3(0);
+    const auto standing = posed(look, glm::vec2(0), look.clumpLean);
+    constexpr size_t kLampLevel = 3, kFarLevel = 5, kLampTexels = 8;  // few texels: there are hundreds of directions
+    constexpr float kAzimuths[] = {0.196f, 0.982f};                   // of all, by the symmetry of mirrored cells
+    const auto share = [](size_t i) { return static_cast<float>(i % LAMP_ELEVATIONS) / (LAMP_ELEVATIONS - 1); };
+    std::array<std::array<RowShares, LAMP_ELEVATIONS>, 2> shown;
+    for (size_t k = 0; k < std::size(kAzimuths); ++k)
+        for (size_t i = 0; i < LAMP_ELEVATIONS; ++i)
+            shown[k][i] = sharesSeen(images.standing, kLampLevel, lookDirection(kAzimuths[k], share(i)), images.stand);
+    std::vector<Directed> out(kDirectedGains);
+    for (size_t i = 0; i < out.size(); ++i) {
+        const float between = std::acos(1 - 2 * static_cast<float>(i % LAMP_AZIMUTHS) / (LAMP_AZIMUTHS - 1));
+        const size_t eye = i / LAMP_AZIMUTHS % LAMP_ELEVATIONS;
+        auto& [aim, vertical, horizontal] = out[i] = {};
+        for (size_t k = 0; k < std::size(kAzimuths); ++k) {
+            const glm::vec3 e = lookDirection(kAzimuths[k], share(eye)),
+                            light = lookDirection(kAzimuths[k] + between, share(i / (LAMP_AZIMUTHS * LAMP_ELEVATIONS)));
+            leaves.suns = seen.suns = {{light, glm::vec3(1)}};
+            aim += aimAlong(leaves, standing, e);
+            vertical +=
+                sentAlong(shown[k][eye], rowsSend(images.standing, kLampLevel, seen, glm::vec3(0), kLampTexels), e);
+            horizontal += imageSends(images.far[kFarLevel], seen, glm::vec3(0));
+        }
+    }
+    return out;
+}
+
 }  // namespace
 
 float maskPasses(const BladeShade& shade, float height, const glm::vec3& light) {
@@ -414,35 +447,24 @@ Gains gainsOf(const Look& look, const FieldLight& light, const DrawnImages& imag
     return out;
 }
 
-LampGains lampGainsOf(const Look& look, FieldLight leaves, const DrawnImages& images) {
-    leaves.sky = leaves.ground = glm::vec3(0);
+LampGains lampGainsOf(const Look& look, const FieldLight& leaves, const DrawnImages& images) {
     FieldLight seen = leaves;  // of lamps images know what falls on the side that is seen
     seen.translucency = 0, seen.weighting = LightWeighting::Poly9;
-    const auto standing = posed(look, glm::vec2(0), look.clumpLean);
-    constexpr size_t kLampLevel = 3, kFarLevel = 5, kLampTexels = 8;  // few texels: there are hundreds of directions
-    constexpr float kAzimuths[] = {0.196f, 0.982f};                   // of all, by the symmetry of mirrored cells
-    const auto share = [](size_t i) { return static_cast<float>(i % LAMP_ELEVATIONS) / (LAMP_ELEVATIONS - 1); };
-    std::array<std::array<RowShares, LAMP_ELEVATIONS>, 2> shown;
-    for (size_t k = 0; k < std::size(kAzimuths); ++k)
-        for (size_t i = 0; i < LAMP_ELEVATIONS; ++i)
-            shown[k][i] = sharesSeen(images.standing, kLampLevel, lookDirection(kAzimuths[k], share(i)), images.stand);
     LampGains out;
-    for (size_t i = 0; i < out.size(); ++i) {
-        const float between = std::acos(1 - 2 * static_cast<float>(i % LAMP_AZIMUTHS) / (LAMP_AZIMUTHS - 1));
-        const size_t eye = i / LAMP_AZIMUTHS % LAMP_ELEVATIONS;
-        glm::vec3 aim(0), vertical(0), horizontal(0);
-        for (size_t k = 0; k < std::size(kAzimuths); ++k) {
-            const glm::vec3 e = lookDirection(kAzimuths[k], share(eye)),
-                            lamp = lookDirection(kAzimuths[k] + between, share(i / (LAMP_AZIMUTHS * LAMP_ELEVATIONS)));
-            leaves.suns = seen.suns = {{lamp, glm::vec3(1)}};
-            aim += aimAlong(leaves, standing, e);
-            vertical +=
-                sentAlong(shown[k][eye], rowsSend(images.standing, kLampLevel, seen, glm::vec3(0), kLampTexels), e);
-            horizontal += imageSends(images.far[kFarLevel], seen, glm::vec3(0));
-        }
-        // Blades are all but black before a lamp.
-        out[i] = {quotient(luminance(aim), luminance(vertical)), quotient(luminance(aim), luminance(horizontal))};
-    }
+    const std::vector<Directed> sent = directedOf(look, leaves, seen, images);
+    // Blades are all but black before a lamp.
+    for (size_t i = 0; i < out.size(); ++i)
+        out[i] = {quotient(luminance(sent[i].aim), luminance(sent[i].vertical)),
+                  quotient(luminance(sent[i].aim), luminance(sent[i].horizontal))};
+    return out;
+}
+
+SunGains sunGainsOf(const Look& look, const FieldLight& leaves, const DrawnImages& images) {
+    SunGains out;
+    const std::vector<Directed> sent = directedOf(look, leaves, leaves, images);
+    for (size_t i = 0; i < out.size(); ++i)
+        out[i] = {quotient(sent[i].aim, sent[i].vertical),
+                  quotient(luminance(sent[i].vertical), luminance(sent[i].horizontal))};
     return out;
 }
 

@@ -73,10 +73,17 @@ struct Gains {
 // Factors by which slices and pressed blades are drawn so that they are as bright as blades drawn one by one.
 Gains gainsOf(const Look& look, const FieldLight& light, const DrawnImages& images);
 
-// Factors for light from one lamp, by where the eye and the lamp are (LAMP_AZIMUTHS, x fastest; LAMP_ELEVATIONS of the
-// eye, then of the lamp): x, of vertical slices; y, of the horizontal one. A lamp's light comes from elsewhere at each
-// place, and the sun's gains say nothing of it.
-using LampGains = std::array<glm::vec2, static_cast<size_t>(LAMP_AZIMUTHS* LAMP_ELEVATIONS* LAMP_ELEVATIONS)>;
+// Factors for light from one direction, by where the eye and the light are: LAMP_AZIMUTHS, x fastest; LAMP_ELEVATIONS
+// of the eye, then of the light.
+inline constexpr size_t kDirectedGains = static_cast<size_t>(LAMP_AZIMUTHS * LAMP_ELEVATIONS * LAMP_ELEVATIONS);
+// Of lamps' light, which comes from elsewhere at each place, so that the sun's gains say nothing of it: x, of vertical
+// slices; y, of the horizontal one.
+using LampGains = std::array<glm::vec2, kDirectedGains>;
 // leaves: roughness, gloss, translucency; how lamps are shaded. Its lights are not read.
-LampGains lampGainsOf(const Look& look, FieldLight leaves, const DrawnImages& images);
+LampGains lampGainsOf(const Look& look, const FieldLight& leaves, const DrawnImages& images);
+// Of the sun's on objects, where it stands elsewhere over each place: rgb, of vertical slices; a, by how many times as
+// much the horizontal one is drawn brighter as they are.
+using SunGains = std::array<glm::vec4, kDirectedGains>;
+// leaves: likewise, and how slices weigh their images.
+SunGains sunGainsOf(const Look& look, const FieldLight& leaves, const DrawnImages& images);
 }  // namespace sward

@@ -126,7 +126,7 @@ void updateSpecies(DrawContext& ctx, GrownField& field, size_t i) {
     updateLook(s.look, s.lookKey, f.species[i], s.patch, s.key ^ s.bladeHash, s.bladeImage);
     writeGlobals(ctx, s, field, i);
     if (!field.draws(Feature::GrassFar) && !field.draws(Feature::GrassOnMeshes))
-        s.slices = {}, s.sliceKey = s.sliceAsked = 0, s.bake = {}, s.lampGains = {};
+        s.slices = {}, s.sliceKey = s.sliceAsked = 0, s.bake = {}, s.lampGains = {}, s.sunGains = {};
 }
 
 void updateField(DrawContext& ctx, GrownField& field) {

@@ -47,6 +47,10 @@ struct GrownSpecies {
     Gains gains;
     uint64_t lampGainKey = 0;
     Texture lampGains;  // of lampGainsOf, while there are lamps
+    // While it grows on objects: gains of the sky's light alone, and the texture of sunGainsOf.
+    uint64_t skyGainKey = 0, sunGainKey = 0;
+    Gains skyGains;
+    Texture sunGains;
 };
 struct GrownField {
     std::string name;               // its entity's

@@ -2,9 +2,11 @@
 
 #include "core/log.h"
 #include "frame/draw_context.h"
+#include "frame/gpu_mesh.h"
 #include "grass/field.h"
 #include "grass/mesh_grass_settings.h"
 #include "grass/raytraced_settings.h"
+#include "grass/slice_gains.h"
 #include "grass/slices.h"
 #include "mesh/mesh_io.h"
 #include "world/placement.h"
@@ -107,10 +109,9 @@ const Field* fieldNamed(const DrawContext& ctx, const std::string& name) {
 
 void place(const DrawContext& ctx, Shell& shell, const PlacedMesh& placed) {
     shell.scale = placed.mesh->scale;
-    const glm::dvec3 at = placed.at - ctx.camera.eye;
-    for (int r = 0; r < 3; ++r)
-        shell.rows[r] = glm::vec4(glm::vec3(placed.turn[0][r], placed.turn[1][r], placed.turn[2][r]) * shell.scale,
-                                  static_cast<float>(at[r]));
+    // As the object is drawn by: the surface lies exactly where that was.
+    const ObjectInstance on = instanceAt(placed.at - ctx.camera.eye, placed.turn * double(shell.scale));
+    std::copy(std::begin(on.row), std::end(on.row), std::begin(shell.rows));
 }
 
 float tallest(const Field& field) {
@@ -168,6 +169,8 @@ void writeGlobals(DrawContext& ctx, ShellView& view) {
     eachSpecies(ctx, Feature::GrassOnMeshes, [&](const Field& field, size_t i) {
         SliceGlobals g = sliceGlobalsOf(ctx, field, i);
         g.eyeCell = g.inCell = glm::vec2(0);
+        const auto& images = field.view->settings<GrassSlices>();
+        setGains(g, images.sliceCover == SliceCover::Conserving, field.species[i].grown->skyGains);
         writeBuffer(ctx.gpu, view.globals.at(field.number, i), kOwner, sizeof(g), &g);
     });
 }
@@ -339,6 +342,7 @@ bool drawOn(DrawContext& ctx, ShellView& view, const Shell& shell, bool inside) 
     for (size_t i = 0; shell.seen && i < shell.field->species.size(); ++i) {
         bindVerticalSlices(ctx, *shell.field, i, SliceLevels::One);
         bindFar(shell.field->species[i].grown->slices);
+        glBindTextureUnit(TEX_SUN_GAINS, shell.field->species[i].grown->sunGains.id());
         if (shell.density) glBindTextureUnit(TEX_DENSITY, shell.density);
         glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SLICES, view.globals.at(shell.field->number, i).id());
         if (inside)
@@ -369,12 +373,13 @@ void shade(DrawContext& ctx) {
     if (ctx.settings.mode != ViewMode::Final) return;
     beginDimming();
     glEnable(GL_POLYGON_OFFSET_FILL);
-    glPolygonOffset(1, 4);
+    glPolygonOffset(0, 16);  // by no slope: that would bring the shade before grass in wide pixels
     for (const Shell& shell : view.shells) {
         if (!ctx.use(0, {}, &shell.features)) break;
         bindField(*shell.field);
         bindMaps(shell);
         setPlace(shell);
+        glUniform1f(4, shell.uvLength);
         for (size_t i = 0; shell.seen && i < shell.field->species.size(); ++i) {
             glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SLICES, view.globals.at(shell.field->number, i).id());
             drawIndices(ctx, 0, shell.carrier->shape.surface);

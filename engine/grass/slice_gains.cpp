@@ -67,29 +67,12 @@ void addShading(std::vector<float>& read, const FieldLight& l) {
     if (l.tinted) add(l.traced->grey.direct), add(l.traced->grey.sky);
     for (size_t k = 0; k < kTracedLeans; ++k) add(l.traced->leaning.direct[k]), add(l.traced->leaning.sky[k]);
 }
-// Gains of lamps' light, where there are lamps.
-void updateLampGains(const DrawContext& ctx, const GrownField& f, GrownSpecies& s, FieldLight l) {
-    if (!has(f.features, Feature::Lamps)) {
-        s.lampGains = {}, s.lampGainKey = 0;
-        return;
-    }
-    l.shade = l.lampsCast ? &s.shade : nullptr;
-    std::vector<float> read{l.translucency, l.gloss, l.roughness};
+uint64_t keyOf(const GrownSpecies& s, std::vector<float> read, const FieldLight& l) {
     addShading(read, l);
-    const uint64_t key = hashBytes(read.data(), read.size() * sizeof(float)) ^ s.lookKey ^ s.slices.means.key;
-    if (s.lampGains.id() && s.lampGainKey == key) return;
-    if (ctx.sketching() && s.lampGains.id()) return;
-    s.lampGainKey = ctx.sketching() ? 0 : key;
-    LampGains gains;
-    gains.fill(glm::vec2(1));  // in a sketch
-    if (!ctx.sketching()) gains = lampGainsOf(s.look, l, s.slices.means);
-    if (!s.lampGains.id())
-        s.lampGains = makeTexture3D(ctx.gpu, "grass/far", GL_RG16F, LAMP_AZIMUTHS, LAMP_ELEVATIONS, LAMP_ELEVATIONS);
-    glTextureSubImage3D(s.lampGains.id(), 0, 0, 0, 0, LAMP_AZIMUTHS, LAMP_ELEVATIONS, LAMP_ELEVATIONS, GL_RG, GL_FLOAT,
-                        gains.data());
+    return hashBytes(read.data(), read.size() * sizeof(float)) ^ s.lookKey ^ s.slices.means.key;
 }
 
-void updateGains(GrownSpecies& s, const FieldLight& l) {
+void keepGains(const GrownSpecies& s, const FieldLight& l, Gains& gains, uint64_t& madeFrom) {
     std::vector<float> read{l.sky.x,
                             l.sky.y,
                             l.sky.z,
@@ -105,12 +88,62 @@ void updateGains(GrownSpecies& s, const FieldLight& l) {
                             l.painted ? 1.0f : 0.0f,
                             l.tinted ? 1.0f : 0.0f,
                             l.lampsCast ? 1.0f : 0.0f};
-    addShading(read, l);
     for (const auto& [d, c] : l.suns) read.insert(read.end(), {d.x, d.y, d.z, c.x, c.y, c.z});
-    const uint64_t key = hashBytes(read.data(), read.size() * sizeof(float)) ^ s.lookKey ^ s.slices.means.key;
-    if (s.gainKey == key) return;
-    s.gainKey = key;
-    s.gains = gainsOf(s.look, l, s.slices.means);
+    const uint64_t key = keyOf(s, std::move(read), l);
+    if (madeFrom == key) return;
+    madeFrom = key;
+    gains = gainsOf(s.look, l, s.slices.means);
+}
+
+// Gains of light from any direction, kept as a texture. of: makes its kDirectedGains texels; a sketch has 1.
+template <typename Texel, typename Of>
+void keepDirected(const DrawContext& ctx, const char* owner, Texture& texture, uint64_t& madeFrom, uint64_t key,
+                  GLenum format, Of of) {
+    if (texture.id() && madeFrom == key) return;
+    if (ctx.sketching() && texture.id()) return;
+    madeFrom = ctx.sketching() ? 0 : key;
+    std::array<Texel, kDirectedGains> gains;
+    gains.fill(Texel(1));
+    if (!ctx.sketching()) gains = of();
+    if (!texture.id()) texture = makeTexture3D(ctx.gpu, owner, format, LAMP_AZIMUTHS, LAMP_ELEVATIONS, LAMP_ELEVATIONS);
+    glTextureSubImage3D(texture.id(), 0, 0, 0, 0, LAMP_AZIMUTHS, LAMP_ELEVATIONS, LAMP_ELEVATIONS,
+                        format == GL_RG16F ? GL_RG : GL_RGBA, GL_FLOAT, gains.data());
+}
+
+// Gains of lamps' light, where there are lamps.
+void updateLampGains(const DrawContext& ctx, const GrownField& f, GrownSpecies& s, FieldLight l) {
+    if (!has(f.features, Feature::Lamps)) {
+        s.lampGains = {}, s.lampGainKey = 0;
+        return;
+    }
+    l.shade = l.lampsCast ? &s.shade : nullptr;
+    keepDirected<glm::vec2>(ctx, "grass/far", s.lampGains, s.lampGainKey,
+                            keyOf(s, {l.translucency, l.gloss, l.roughness}, l), GL_RG16F,
+                            [&] { return lampGainsOf(s.look, l, s.slices.means); });
+}
+
+// Gains on objects, whose surfaces have the sun in directions of their own: of the sky's light, and of the sun's by
+// where it stands.
+void updateMeshGains(const DrawContext& ctx, const GrownField& f, GrownSpecies& s, FieldLight l) {
+    if (!f.draws(Feature::GrassOnMeshes)) {
+        s.sunGains = {}, s.sunGainKey = s.skyGainKey = 0;
+        return;
+    }
+    const bool conserving = f.of->settings<GrassSlices>().sliceCover == SliceCover::Conserving;
+    l.lampsCast = l.shade != nullptr;
+    if (!l.suns.empty())
+        keepDirected<glm::vec4>(
+            ctx, "grass/mesh-grass", s.sunGains, s.sunGainKey,
+            keyOf(s, {l.translucency, l.gloss, l.roughness, float(l.weighting), float(conserving)}, l), GL_RGBA16F,
+            [&] {
+                SunGains ones;
+                ones.fill(glm::vec4(1));
+                return conserving ? sunGainsOf(s.look, l, s.slices.means) : ones;
+            });
+    l.suns.clear();
+    keepGains(s, l, s.skyGains, s.skyGainKey);
+    // Levels of detail are as bright as each other in all of the light.
+    s.skyGains.farLevels = s.gains.farLevels, s.skyGains.sliceLevels = s.gains.sliceLevels;
 }
 
 // The greatest size of a colour of any.
@@ -163,8 +196,10 @@ void setGains(SliceGlobals& g, bool conserving, Gains gains) {
 
 void makeGains(DrawContext& ctx, const GrownField& field, size_t species) {
     const FieldLight light = fieldLight(ctx, field, species);
-    updateGains(*field.species[species], light);
-    updateLampGains(ctx, field, *field.species[species], light);
+    GrownSpecies& s = *field.species[species];
+    keepGains(s, light, s.gains, s.gainKey);
+    updateLampGains(ctx, field, s, light);
+    updateMeshGains(ctx, field, s, light);
 }
 
 }  // namespace sward

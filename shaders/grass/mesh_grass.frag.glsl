@@ -20,6 +20,7 @@
 layout(binding = TEX_FAR_REFLECTANCE) uniform sampler2DArray flatReflectance;
 layout(binding = TEX_FAR_THRESHOLD) uniform sampler2DArray flatThreshold;
 layout(binding = TEX_FAR_LIGHT) uniform sampler2DArray flatLight;
+layout(binding = TEX_SUN_GAINS) uniform sampler3D sunGains;
 // Of the nearest side of a shell that looks away from the eye: its depth; how steeply rays leave through it, and its
 // part of the surfaces.
 layout(binding = TEX_SHELL_ENDS) uniform sampler2D shellEnds;
@@ -47,7 +48,13 @@ float mapLevelOn(ivec2 size, float pixel) {
 }
 // Beyond the edge of the part of the texture coordinates in which the ray came in, others lie, of elsewhere.
 vec2 uvOf(vec2 cells) { return clamp(cells * (slices.cellSize / uvLength), chart.xy, chart.zw); }
+// Nothing grows where a surface that has an edge has ended.
+bool isBeyond(vec2 cells) {
+    vec2 at = cells * (slices.cellSize / uvLength);
+    return part < 0.0 && (any(lessThan(at, chart.xy)) || any(greaterThan(at, chart.zw)));
+}
 float densityOn(vec2 cells, float pixel) {
+    if (isBeyond(cells)) return 0.0;
     if (!GRASS_DENSITY) return 1.0;
     return textureLod(densityMap, uvOf(cells), mapLevelOn(textureSize(densityMap, 0), pixel)).r;
 }
@@ -67,9 +74,13 @@ float bendAlong(vec3 d) {
 // A sun that stands lower than the surface's horizon is hidden by the surface itself, unless one looks over its bend
 // from high enough.
 float pastHorizon(Shell shell, float above) {
-    vec3 l = shell.sun.towards;
-    float k = max(bendAlong(l), 0.0);
-    return smoothstep(-0.05, 0.05, l.y + sqrt(2.0 * k * max(above, 0.0)));
+    return smoothstep(-0.05, 0.05, shell.sunRise + sqrt(2.0 * shell.sunBend * max(above, 0.0)));
+}
+// The sun over level ground that comes to the middle of the grass by as long a way through it: what bends away has less
+// grass before a low sun. Unit; in the field's axes.
+vec3 sunOverLevel(vec3 sun, float bend, float height) {
+    float rise = 0.5 * (sun.y + sqrt(sun.y * sun.y + bend * height));
+    return vec3(sun.xz * sqrt(max(1.0 - rise * rise, 0.0) / max(dot(sun.xz, sun.xz), 1e-6)), rise).xzy;
 }
 float sunAt(Met m, Shell shell) { return shell.visible * pastHorizon(shell, m.above); }
 vec3 paintedAt(vec3 reflectance, Met m, Shell shell, float pixel) {
@@ -103,7 +114,7 @@ BladeStand standHere(vec3 foot, vec2 cells, mat3 toField) {
 }
 
 // The horizontal slice, where the ray comes down to it, below all vertical ones.
-void addFlat(inout Sum sum, Shell shell, SliceRay ray, BladeLean p, vec3 gain, vec3 open) {
+void addFlat(inout Sum sum, Shell shell, SliceRay ray, BladeLean p, vec3 sunGain, vec3 ambient) {
     float y = -shell.seen.y;
     ShellEnd e =
         shellEnd(ray.entry.z, ray.direction.z, shell.bend.x, shell.height * (1.0 - slices.farHeight / slices.top));
@@ -118,10 +129,9 @@ void addFlat(inout Sum sum, Shell shell, SliceRay ray, BladeLean p, vec3 gain, v
     if (!(alpha > 0.004)) return;
     vec4 leaf = textureGrad(flatReflectance, r.texel, r.dx, r.dy);
     leaf.rgb = paintedOn(leaf.rgb, c, pixel, -shell.seen, true);
-    FarLit lit = FarLit(shell.sun, shell.toField, shell.start + shell.way * e.t, shell.raise, slices.farAmbient * open,
-                        shell.visible * pastHorizon(shell, slices.farHeight), gain, shell.brighter,
-                        hotSpot(slices.hotSpot, -shell.seen, shell.sun.towards));
-    vec3 light = clamp(farRadiance(flatLight, r, leaf, stored.zw, lit), vec3(0.0), vec3(kBrightest));
+    FarLit lit = FarLit(shell.sun, shell.toField, shell.start + shell.way * e.t, shell.raise, ambient,
+                        shell.visible * pastHorizon(shell, slices.farHeight), sunGain, shell.brighter, vec3(1.0));
+    vec3 light = clamp(farRadiance(flatLight, r, leaf, stored.zw, lit), vec3(0.0), vec3(kBrightest)) * farLevel(cells);
     add(sum, light, alpha, e.t);
 }
 
@@ -204,20 +214,24 @@ void main() {
     shell.bend = bends;
     shell.toField = toField;
     vec3 sun = toField * frame.sunDirection;
+    shell.sunRise = sun.y, shell.sunBend = max(bendAlong(sun), 0.0);
+    sun = sunOverLevel(sun, shell.sunBend, height);
     shell.sun = SunSeen(sun, lampWeights(sun));
     shell.turned = CONSERVING ? verticalShare(toEye.y) * abs(seen.xz) / level : vec2(1.0);
     vec3 open = ambientLight(n) / max(ambientLight(vec3(0.0, 1.0, 0.0)), vec3(1e-6));
     vec3 plain = vec3(p.lighter * darkened(far) * slices.reflectScale);
-    vec3 shown = plain * sliceGain(toEye, p.free - p.clump, p.clump, 0.0, false);
-    shell.gain = SUN ? shown * hotSpot(slices.hotSpot, toEye, sun) * frame.sunLight * frame.sunIsUp : vec3(0.0);
-    shell.ambient = shown * slices.ambient * open;
+    vec4 sunGain = SUN ? textureLod(sunGains, directedPlace(toEye, sun), 0.0) : vec4(0.0);
+    sunGain.rgb *= plain * (lampFade(sun) * directedSpot(toEye, sun));
+    shell.gain = sunGain.rgb * frame.sunLight * frame.sunIsUp;
+    shell.ambient = plain * sliceGain(toEye, p.free - p.clump, p.clump, 0.0, false) * slices.ambient * open;
     shell.brighter = plain;
     shell.raise = n;
     shell.visible = sunVisible(shell.start, n);
 
     uint grain = INSIDE ? grainAt(cells + rate * (ahead + far), seen.y, far) : grainAt(cells + rate * ahead, 0.0, far);
     Sum sum = traced(shell, ray, grain);
-    addFlat(sum, shell, ray, p, plain * sliceGain(toEye, p.free - p.clump, p.clump, 0.0, true), open);
+    vec3 flatAmbient = plain * sliceGain(toEye, p.free - p.clump, p.clump, 0.0, true) * slices.farAmbient * open;
+    addFlat(sum, shell, ray, p, sunGain.rgb * sunGain.a, flatAmbient);
     closeOutline(sum, ray, k, height);
     color = shownOf(sum, shell, grain);
     if (!(color.a > 0.0)) discard;

@@ -10,12 +10,12 @@
 // The light in which the slice lies.
 struct FarLit {
     SunSeen sun;
-    mat3 toField;  // from the world's axes to the field's
-    vec3 at;       // relative to the eye
-    vec3 raise;    // unit normal of the object on which it lies, 0 on the ground
-    vec3 ambient;
+    mat3 toField;   // from the world's axes to the field's
+    vec3 at;        // relative to the eye
+    vec3 raise;     // unit normal of the object on which it lies, 0 on the ground
+    vec3 ambient;   // with its gain
     float visible;  // share of the sun that is seen from there
-    vec3 gain;      // of the sun's and the sky's light
+    vec3 gain;      // of the sun's light
     vec3 brighter;  // of lamps' light
     vec3 hotSpot;   // of the sun's (lib/slices.glsl)
 };
@@ -76,7 +76,7 @@ vec3 farFullSends(sampler2DArray lightImages, Repeated r, vec4 images, float upp
 // What it sends to the eye. lightImages: the slice's; leaf: reflectance, and share of ambient light that
 // reaches it; above: what it stores of light from above.
 vec3 farRadiance(sampler2DArray lightImages, Repeated r, vec4 leaf, vec2 above, FarLit here) {
-    vec3 light = here.gain * here.ambient * leaf.rgb * leaf.a;
+    vec3 light = here.ambient * leaf.rgb * leaf.a;
     if (!SUN && !LAMPS) return light;
     vec3 sun = SUN ? here.hotSpot * frame.sunLight * (frame.sunIsUp * here.visible) : vec3(0.0);
     vec4 w = here.sun.weights, images = farImages(r, w);

@@ -37,6 +37,7 @@ struct Shell {
     mat3 toField;  // from the world's axes to the field's
     vec3 raise;    // unit normal of the object below, 0 on the ground
     SunSeen sun;
+    float sunRise, sunBend;        // over a mesh: sine of the sun's elevation; curvature towards it, 1/m
     vec3 gain, brighter, ambient;  // as SliceSpot has them
     float visible;                 // share of the sun that is seen from where it comes in, over a mesh
 };

@@ -127,15 +127,22 @@ vec3 hotSpot(vec3 share, vec3 toEye, vec3 towards) {
 }
 // The sun's; grass that is pressed down hides no shadows.
 vec3 sunsHotSpot(vec3 toEye, float press) { return hotSpot(slices.hotSpot * (1.0 - press), toEye, frame.sunDirection); }
-// The same for a lamp's light, without what forces do: of vertical slices, and of the horizontal one. Towards the eye
-// and the lamp, unit, in the field's axes.
-vec2 lampGain(vec3 toEye, vec3 towards) {
+// Where the gains of light from one direction are kept. Towards the eye and the light, unit, in the field's axes.
+vec3 directedPlace(vec3 toEye, vec3 towards) {
     vec2 level = vec2(length(toEye.xz), length(towards.xz));
     float cosine = dot(toEye.xz, towards.xz) / max(level.x * level.y, 1e-6);
     vec3 size = vec3(LAMP_AZIMUTHS, LAMP_ELEVATIONS, LAMP_ELEVATIONS),
          at = vec3(0.5 - 0.5 * clamp(cosine, -1.0, 1.0), lookHeight(toEye), lookHeight(towards));
+    return (at * (size - 1.0) + 0.5) / size;
+}
+// How many times as bright such light is where one looks along it.
+float directedSpot(vec3 toEye, vec3 towards) {
     float share = max(dot(slices.lampHotSpot, tracedRise(towards.y)), 0.0);
-    return textureLod(lampGains, (at * (size - 1.0) + 0.5) / size, 0.0).rg * hotSpot(vec3(share), toEye, towards).x;
+    return hotSpot(vec3(share), toEye, towards).x;
+}
+// sliceGain of a lamp's light, without what forces do: of vertical slices, and of the horizontal one.
+vec2 lampGain(vec3 toEye, vec3 towards) {
+    return textureLod(lampGains, directedPlace(toEye, towards), 0.0).rg * directedSpot(toEye, towards);
 }
 
 // The direction towards the eye over ground of this slope: a hillside that faces the eye shows its grass as from above.

@@ -2,6 +2,8 @@
 #include "lib/frame.glsl"
 #include "lib/mirror.glsl"
 
+invariant gl_Position;  // the same in the programs that draw an object and the shade on it
+
 layout(location = 0) in vec3 meshPosition;
 layout(location = 1) in vec3 meshNormal;
 layout(location = 2) in vec2 meshUv;

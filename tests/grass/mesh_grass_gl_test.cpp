@@ -61,6 +61,25 @@ std::vector<float> truth(const Project& p, const ViewCamera& camera) {
     settings.width = 160, settings.height = 120, settings.samples = 8;
     return scene->trace(camera, settings, control)->color;
 }
+
+// Pixels of sky in one picture and not in the other, as a share of those that are no sky in the first.
+double skyExchanged(const std::vector<float>& a, const std::vector<float>& b) {
+    const auto isSky = [](const std::vector<float>& image, size_t i) { return image[i + 2] > 0.2f; };
+    double off = 0, all = 0;
+    for (size_t i = 0; i < a.size(); i += 3) off += isSky(a, i) != isSky(b, i), all += !isSky(b, i);
+    return off / all;
+}
+struct Box {
+    int left, top, right, bottom;  // pixels
+};
+double green(const std::vector<float>& image, int width, const Box& in) {
+    double sum = 0;
+    for (int y = in.top; y < in.bottom; ++y)
+        for (int x = in.left; x < in.right; ++x) sum += static_cast<double>(image[3 * size_t(y * width + x) + 1]);
+    return sum / ((in.right - in.left) * (in.bottom - in.top));
+}
+Light& sunOf(Project& p) { return *p.registry.get<Light>(findEntity(p, "sun")); }
+
 TEST(MeshGrass, OnAPlateIsWhatTheTerrainsIs) {
     NoGlErrors errors;
     const TempDir dir;
@@ -125,20 +144,63 @@ TEST(MeshGrass, ClosesARoughOutlineAsItsTruth) {
     const Project p = onMesh(dir, rock);
     Project other = snapshot(p, tables().components);
     flatField(other).grows.seed = 77;
-    // Pixels of sky in one and not in the other, as a share of those that are no sky.
-    const auto differing = [](const std::vector<float>& a, const std::vector<float>& b) {
-        const auto isSky = [](const std::vector<float>& image, size_t i) { return image[i + 2] > 0.2f; };
-        double off = 0, all = 0;
-        for (size_t i = 0; i < a.size(); i += 3) off += isSky(a, i) != isSky(b, i), all += !isSky(b, i);
-        return off / all;
-    };
     for (const ViewCamera& camera :
          {ViewCamera{{10, 0.55, 8.3}, {10, 0.8, 10}, 45, 0}, ViewCamera{{8.4, 0.6, 9.2}, {10, 0.8, 10}, 45, 0}}) {
         const auto traced = truth(p, camera);
-        const double rays = differing(picture(p, camera), traced), blades = differing(truth(other, camera), traced);
+        const double rays = skyExchanged(picture(p, camera), traced),
+                     blades = skyExchanged(truth(other, camera), traced);
         std::printf("sky and grass exchanged: %.4f of the rock; by other blades of the field: %.4f\n", rays, blades);
         EXPECT_LT(rays, 2.2 * blades);  // 3.4 and 2.6 where a ray does not know where it leaves the shell
     }
+}
+
+// A ball's grass has the sun in another direction at each place: on one side its tips alone look over the horizon, on
+// the other it is lit by the sky.
+TEST(MeshGrass, IsLitAsItsTruthOnTheSideThatTurnsFromTheSun) {
+    NoGlErrors errors;
+    const TempDir dir;
+    Project p = onMesh(dir, kBall, {10, 5, 10});  // its shadow on the ground is far away
+    p.registry.get<StaticMesh>(findEntity(p, "rock"))->onGround = false;
+    sunOf(p).azimuthDeg = 150, sunOf(p).elevationDeg = 30;
+    const ViewCamera camera{{10, 6.1, 8}, {10, 5.6, 10}, 45, 0};
+    const auto rays = picture(p, camera), traced = truth(p, camera);
+    for (const Box& side : {Box{48, 50, 60, 75}, Box{68, 50, 92, 75}}) {
+        const double here = green(rays, 160, side), wanted = green(traced, 160, side);
+        std::printf("from column %d on: green of rays %.4f, of the truth %.4f\n", side.left, here, wanted);
+        EXPECT_NEAR(here / wanted, 1, 0.2);
+    }
+}
+
+// What shades the surface does not shade the grass before it, however much nearer the surface comes within a pixel.
+TEST(MeshGrass, ShowsAsMuchInWidePixelsAsInFineOnes) {
+    NoGlErrors errors;
+    const TempDir dir;
+    Project p = onMesh(dir, {.size = {4, 0.02f, 4}, .unwrap = true});
+    flatField(p).species[0].bladesPerM2 = 9000, flatField(p).species[0].height = 0.12f;
+    const ViewCamera camera{{10, 3, 3}, {10, 0.05, 10}, 20, 0};
+    const double fine = green(picture(p, camera, meshSized(320, 240)), 320, {80, 80, 240, 200}),
+                 wide = green(picture(p, camera, meshSized(64, 48)), 64, {16, 16, 48, 40});
+    std::printf("green: %.4f, in pixels five times as wide %.4f\n", fine, wide);
+    EXPECT_NEAR(wide / fine, 1, 0.08);
+}
+
+// Rays that come in over the last of a roof go on over nothing.
+TEST(MeshGrass, EndsWhereItsSurfaceDoes) {
+    NoGlErrors errors;
+    const TempDir dir;
+    Project p = onMesh(dir, {.size = {2, 0.1f, 1}, .turnDeg = {-25, 0, 0}, .unwrap = true}, {10, 5, 10});
+    p.registry.get<StaticMesh>(findEntity(p, "rock"))->onGround = false;
+    Map above({48, 48, 1, PixelType::U8});  // the face that looks up is the first of the second row of squares
+    for (int y = 16; y < 32; ++y)
+        for (int x = 0; x < 16; ++x) above.set(x, y, 0, 1);
+    put(p, "rock", MeshGrass{.density = field(above)});
+    Project other = snapshot(p, tables().components);
+    flatField(other).grows.seed = 77;
+    const ViewCamera camera{{10, 4.8, 7}, {10, 5.2, 10}, 45, 0};
+    const auto traced = truth(p, camera);
+    const double rays = skyExchanged(picture(p, camera), traced), blades = skyExchanged(truth(other, camera), traced);
+    std::printf("sky and grass exchanged: %.4f of the roof; by other blades of the field: %.4f\n", rays, blades);
+    EXPECT_LT(rays, 2.2 * blades);
 }
 
 TEST(MeshGrass, SurroundsAnEyeWithinIt) {
