@@ -9,8 +9,9 @@ project.new()
 for _, name in ipairs(entity.list()) do entity.remove(name) end
 
 entity.add("ground", { Terrain = { beyond = "fade", size = { size, size }, groundColor = { 0.19, 0.18, 0.165 }, gridSpacing = 0.25, castShadows = true } })
+-- Slices are sharper than by default: frames that add up smooth the grain.
 entity.add("moss", { GrassField = {
-    onTerrain = false, cellSize = 0.25, slices = 16, sliceWidth = 256, sliceHeight = 64, farSize = 256, seed = 3,
+    onTerrain = false, cellSize = 0.25, slices = 16, sharpness = 3, sliceWidth = 256, sliceHeight = 64, farSize = 256, seed = 3,
     species = { {
         name = "moss", bladesPerM2 = 60000, height = 0.022, heightVariation = 0.4, width = 0.0022, bend = 0.35, leanDeg = 16,
         leanVariationDeg = 16, segments = 3, clumpSize = 0.07, clumpStrength = 0.6, translucency = 0.5, gloss = 0.2,
@@ -18,7 +19,7 @@ entity.add("moss", { GrassField = {
     } },
 } })
 entity.add("turf", { GrassField = {
-    onTerrain = false, cellSize = 0.5, slices = 16, sliceWidth = 512, sliceHeight = 128, farSize = 512, seed = 8,
+    onTerrain = false, cellSize = 0.5, slices = 16, sharpness = 3, sliceWidth = 512, sliceHeight = 128, farSize = 512, seed = 8,
     species = { {
         name = "turf", bladesPerM2 = 9000, height = 0.11, heightVariation = 0.4, width = 0.004, bend = 0.6, leanDeg = 14,
         leanVariationDeg = 16, segments = 4, clumpSize = 0.22, clumpStrength = 0.5, translucency = 0.75, gloss = 0.45,
