@@ -125,10 +125,9 @@ void updateLampGains(const DrawContext& ctx, const GrownField& f, GrownSpecies& 
 // Gains on objects, whose surfaces have the sun in directions of their own: of the sky's light, and of the sun's by
 // where it stands.
 void updateMeshGains(const DrawContext& ctx, const GrownField& f, GrownSpecies& s, FieldLight l) {
-    if (!f.draws(Feature::GrassOnMeshes)) {
-        s.sunGains = {}, s.sunGainKey = s.skyGainKey = 0;
-        return;
-    }
+    const bool grows = f.draws(Feature::GrassOnMeshes);
+    if (!grows || !has(f.features, Feature::Sun)) s.sunGains = {}, s.sunGainKey = 0;
+    if (!grows) return;
     const bool conserving = f.of->settings<GrassSlices>().sliceCover == SliceCover::Conserving;
     l.lampsCast = l.shade != nullptr;
     if (!l.suns.empty())

@@ -2,6 +2,7 @@
 // of what it cannot do.
 #include "grass/mesh_grass.h"
 
+#include <memory>
 #include <random>
 
 #include "core/log.h"
@@ -286,6 +287,24 @@ TEST(MeshGrass, NeedsNoSecondBakeAndSharesImagesWithTheTerrains) {
     for (const char* owner : {"grass/slices", "grass/far"})
         EXPECT_EQ(gpu().ledger.at(owner), before.at(owner)) << owner;
     EXPECT_GT(gpu().ledger.at("grass/mesh-grass"), 0);
+}
+
+TEST(MeshGrass, KeepsNothingOfASunThatIsRemoved) {
+    NoGlErrors errors;
+    const TempDir dir;
+    Project p = onMesh(dir, kBall);
+    const auto bytes = [&](Renderer& r) {
+        EXPECT_TRUE(r.draw(p, atBall(), meshSized()));
+        return gpu().ledger.at("grass/mesh-grass");
+    };
+    auto had = std::make_unique<Renderer>(gpu(), tables());
+    const auto with = bytes(*had);
+    p.registry.remove<Light>(findEntity(p, "sun"));
+    const auto without = bytes(*had);
+    had = nullptr;  // what it holds is in the ledger, too
+    Renderer never(gpu(), tables());
+    EXPECT_EQ(without, bytes(never)) << "as much as where no sun has been";
+    EXPECT_LT(without, with);
 }
 
 TEST(MeshGrass, OfAFieldThatLeavesTheTerrainReadsNoneOfItsMaps) {
