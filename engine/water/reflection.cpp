@@ -9,11 +9,10 @@ namespace sward {
 namespace {
 
 constexpr const char* kOwner = "water/reflection";
-constexpr float kMargin = 0.08f;  // of the picture beyond each edge, for ripples that look there
-constexpr float kAround = 0.15f;  // of the picture about what is seen of a water, for ripples along its shore
-constexpr float kUnder = 0.04f;   // metres below the level at which the view is cut: no gap shows along the shore
-constexpr float kBlades = 0.35f;  // share of the blades that is drawn where blades are; each is wider
-constexpr float kAnisotropy = 8;
+constexpr float kMargin = 0.08f;    // of the picture beyond each edge, for ripples that look there
+constexpr float kAround = 0.15f;    // of the picture about what is seen of a water, for ripples along its shore
+constexpr float kUnder = 0.04f;     // metres below the level at which the view is cut: no gap shows along the shore
+constexpr float kBlades = 0.35f;    // share of the blades that is drawn where blades are; each is wider
 constexpr size_t kMostMirrors = 8;  // waters that are mirrored at a time: those that take most of the picture
 constexpr int kSteps = 16;          // each way: parts begin and end at such a share of a whole picture
 
@@ -99,7 +98,6 @@ void ensureTargets(DrawContext& ctx, ViewTargets& t, Mirror& m) {
     }
     t = {};
     t = makeTargets(ctx.gpu, kOwner, {wanted.x, wanted.y, ctx.targets.samples, false, 0, false});
-    glTextureParameterf(t.resolved.id(), GL_TEXTURE_MAX_ANISOTROPY, kAnisotropy);
 }
 
 glm::dvec3 mirroredAt(const glm::dvec3& p, double height) { return {p.x, 2 * height - p.y, p.z}; }

@@ -16,6 +16,7 @@ layout(std140, binding = UBO_WATER) uniform WaterBlock { WaterGlobals water; };
 layout(binding = TEX_REFLECTION) uniform sampler2D reflected;
 
 const float kWidestSmear = 0.58;  // clip units
+const float kSmearLooks = 8.0;    // at most, by hand: drivers filter anisotropically each in its way, or not at all
 
 in vec3 position;
 
@@ -59,7 +60,8 @@ vec2 inMirror(vec3 towards) {
 
 vec3 skyFrom(vec3 towards) { return mix(horizonColor(towards.xz), frame.skyLight, sqrt(towards.y)); }
 
-// What the water mirrors: smeared along the view by waves that are too small for a pixel.
+// What the water mirrors: smeared along the view by waves that are too small for a pixel, out to two standard
+// deviations of their slopes.
 vec3 mirroredLight(vec3 toEye, vec3 ripple) {
     vec3 r = mirrored(-toEye, rippleNormal(ripple.xy));
     if (!WATER_REFLECTION || !(water.mirrors > 0.0)) return skyFrom(r);
@@ -67,8 +69,17 @@ vec3 mirroredLight(vec3 toEye, vec3 ripple) {
     vec2 uv = inMirror(r);
     vec2 smear = inMirror(mirrored(-toEye, rippleNormal(ripple.xy + along))) -
                  inMirror(mirrored(-toEye, rippleNormal(ripple.xy - along)));
-    vec2 texel = 1.0 / vec2(textureSize(reflected, 0)), widest = kWidestSmear * water.mirrorScale;
-    return textureGrad(reflected, uv, vec2(texel.x, 0.0), vec2(0.0, texel.y) + clamp(smear, -widest, widest)).rgb;
+    vec2 widest = kWidestSmear * water.mirrorScale;
+    smear = clamp(smear, -widest, widest);
+    float texels = 2.0 * length(smear * vec2(textureSize(reflected, 0))),
+          number = clamp(ceil(texels), 1.0, kSmearLooks), level = log2(max(texels / number, 1.0)), weights = 0.0;
+    vec3 sum = vec3(0.0);
+    for (float i = 0.5; i < number; i += 1.0) {
+        float off = 2.0 * i / number - 1.0, weight = exp(-2.0 * off * off);
+        sum += weight * textureLod(reflected, uv + off * smear, level).rgb;
+        weights += weight;
+    }
+    return sum / weights;
 }
 
 // Light of lamps that falls on the water, and what of it the surface throws to the eye.
