@@ -188,13 +188,27 @@ void ShadeSum::add(const StandingForest& forest, const std::vector<TreeAir>& air
     });
 }
 
-ShadeMap ShadeSum::map() const {
-    ShadeMap m{size_, std::vector<uint8_t>(2 * sunDepth_.size())};
-    const auto byte = [](float depth) {
-        return static_cast<uint8_t>(std::lround(255 * std::exp(-std::min(depth, kMostDepth))));
-    };
-    for (size_t i = 0; i < sunDepth_.size(); ++i)
-        m.shares[2 * i] = byte(sunDepth_[i]), m.shares[2 * i + 1] = byte(skyDepth_[i]);
+glm::vec2 LowSky::at(const glm::dvec2& place) const {
+    if (left.empty()) return glm::vec2(1);
+    const glm::dvec2 t = glm::clamp(place * glm::dvec2(size) - 0.5, glm::dvec2(0), glm::dvec2(size - 1));
+    const glm::ivec2 low(t), high = glm::min(low + 1, size - 1);
+    const glm::vec2 part(t - glm::dvec2(low));
+    const auto cell = [&](int x, int z) { return left[static_cast<size_t>(z * size.x + x)]; };
+    return glm::mix(glm::mix(cell(low.x, low.y), cell(high.x, low.y), part.x),
+                    glm::mix(cell(low.x, high.y), cell(high.x, high.y), part.x), part.y);
+}
+
+ShadeMap ShadeSum::map(const LowSky& low) const {
+    ShadeMap m{size_, std::vector<uint8_t>(3 * sunDepth_.size())};
+    const auto byte = [](float share) { return static_cast<uint8_t>(std::lround(255 * share)); };
+    const auto left = [](float depth) { return std::exp(-std::min(depth, kMostDepth)); };
+    for (int z = 0; z < size_.y; ++z)
+        for (int x = 0; x < size_.x; ++x) {
+            const size_t i = static_cast<size_t>(z * size_.x + x);
+            const glm::vec2 sky = left(skyDepth_[i]) * low.at((glm::dvec2(x, z) + 0.5) / glm::dvec2(size_));
+            m.shares[3 * i] = byte(left(sunDepth_[i]));
+            m.shares[3 * i + 1] = byte(sky.x), m.shares[3 * i + 2] = byte(sky.y);
+        }
     return m;
 }
 

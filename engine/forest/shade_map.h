@@ -1,7 +1,7 @@
 // What a forest leaves of the light on the ground, tree by tree: each throws its own shade, so that glades are lit and
 // edges are where trees end. Light goes through a species' own air by Beer's law; of several trees the depths add up.
 // Pure. Does not: shade within the forest (volume_bake.h), nor replace shadow maps near the eye.
-// Cost: 4 us a tree; 2 bytes a texel.
+// Cost: 4 us a tree; 3 bytes a texel.
 #pragma once
 #include <glm/glm.hpp>
 #include <vector>
@@ -38,12 +38,22 @@ TreeShade shadeTowards(const TreeAir& air, const glm::dvec3& light, double verti
 // Towards all of the sky: the depth that leaves as much of its light.
 TreeShade shadeOfSky(const TreeAir& air, double verticalScale = 1);
 
-// Over the whole terrain: shares of the sun's light and of the sky's that reach the ground.
+// Shares of the sky's light that trees leave which stand farther away than their own shade goes, over the whole
+// terrain (low_sky.h).
+struct LowSky {
+    glm::ivec2 size{0};           // 0: no such trees
+    std::vector<glm::vec2> left;  // on level ground, on what stands upright
+    // Linear between cells; place: share of the terrain.
+    glm::vec2 at(const glm::dvec2& place) const;
+};
+
+// Over the whole terrain: shares of the sun's light that reach the ground, of the sky's, and of the sky's that reach
+// what stands upright on it, as grass does.
 struct ShadeMap {
     glm::ivec2 size{0};
-    std::vector<uint8_t> shares;  // two a texel
+    std::vector<uint8_t> shares;  // three a texel
 };
-inline constexpr int kMostShadeSide = 928;
+inline constexpr int kMostShadeSide = 756;
 // Adds the forests one by one, then makes bytes of it.
 class ShadeSum {
   public:
@@ -51,7 +61,7 @@ class ShadeSum {
     ShadeSum(const Terrain& terrain, const glm::dvec3& origin, const glm::dvec3& sun);
     // airs: by species. verticalScale: Forest's.
     void add(const StandingForest& forest, const std::vector<TreeAir>& airs, double verticalScale = 1);
-    ShadeMap map() const;
+    ShadeMap map(const LowSky& low = {}) const;
 
   private:
     const Terrain& terrain_;

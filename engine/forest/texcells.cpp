@@ -6,7 +6,7 @@
 #include "core/hash.h"
 #include "core/log.h"
 #include "core/numerics.h"
-#include "forest/shade_map.h"
+#include "forest/low_sky.h"
 #include "forest/slicing.h"
 #include "forest/stretch.h"
 #include "forest/veil.h"
@@ -33,6 +33,8 @@ struct TexcellsState : EffectState {
     VertexArray noVertices = makeVertexArray(kOwner);
     Texture shade;          // of all forests on the ground
     uint64_t shadeKey = 0;  // over all that it was made of
+    LowSky lowSky;
+    uint64_t lowSkyKey = 0;
     void jobs(std::vector<JobNews>& out) const override {
         for (const auto& [entity, v] : volumes)
             if (v.bake.active()) out.push_back(v.bake.news());
@@ -229,23 +231,37 @@ bool isDrawn(const ForestHere& h) {
     return !h.stand->triangles.empty() && meshesTo(h.rule) < std::numeric_limits<float>::infinity();
 }
 
+// What far trees hide of the sky does not hang on the sun.
+void updateLowSky(DrawContext& ctx, TexcellsState& s, uint64_t trees) {
+    if (s.lowSkyKey == trees) return;
+    s.lowSkyKey = trees;
+    std::vector<AiryForest> forests;
+    for (const auto& here : ctx.shared.forests->all)
+        if (const auto v = s.volumes.find(here->entity); v != s.volumes.end())
+            forests.push_back(
+                {here->stand.get(), &v->second.images.trees, static_cast<double>(v->second.verticalScale)});
+    s.lowSky = lowSkyOf(*ctx.shared.ground.terrain, ctx.shared.ground.origin, forests);
+}
+
 void drawShadeMap(DrawContext& ctx, TexcellsState& s, const glm::vec3& sun) {
     Hasher hasher;
-    hasher.add(&sun, sizeof sun);
     for (const auto& [entity, v] : s.volumes)
         hasher.add(&v.stood, sizeof v.stood), hasher.add(&v.shown, sizeof v.shown);
+    const uint64_t trees = hasher.value();
+    hasher.add(&sun, sizeof sun);
     const uint64_t key = hasher.value();
     if (s.shadeKey != key) {
         s.shadeKey = key;
+        updateLowSky(ctx, s, trees);
         ShadeSum sum(*ctx.shared.ground.terrain, ctx.shared.ground.origin, glm::dvec3(sun));
         for (const auto& here : ctx.shared.forests->all)
             if (const auto v = s.volumes.find(here->entity); v != s.volumes.end())
                 sum.add(*here->stand, v->second.images.trees, static_cast<double>(v->second.verticalScale));
-        const ShadeMap map = sum.map();
+        const ShadeMap map = sum.map(s.lowSky);
         if (s.shade.width != map.size.x || s.shade.height != map.size.y)
-            s.shade = makeTexture2D(ctx.gpu, kOwner, GL_RG8, map.size.x, map.size.y, 0);
+            s.shade = makeTexture2D(ctx.gpu, kOwner, GL_RGB8, map.size.x, map.size.y, 0);
         glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-        glTextureSubImage2D(s.shade.id(), 0, 0, 0, map.size.x, map.size.y, GL_RG, GL_UNSIGNED_BYTE, map.shares.data());
+        glTextureSubImage2D(s.shade.id(), 0, 0, 0, map.size.x, map.size.y, GL_RGB, GL_UNSIGNED_BYTE, map.shares.data());
         glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
         glGenerateTextureMipmap(s.shade.id());
     }

@@ -3,8 +3,8 @@
 // by pairs without a step. Which tree a texel belongs to is stored, too: each stands on the ground at its own foot, and
 // none is drawn that is drawn as a mesh, or that the density leaves out.
 // Beyond the paper: leaves are stored unlit, and lit by the sun as it stands, through the air that the same volume
-// fills, and so is the ground below; by lamps through the leaves within five metres on the way. Does not: shade grass,
-// or lamps' light on anything else. Cost: 208 bytes a frame for each tile in view; fragments: the slices.
+// fills, and so are the ground and the grass below; by lamps through the leaves within five metres on the way. Does
+// not: shade lamps' light on anything else. Cost: 208 bytes a frame for each tile in view; fragments: the slices.
 #pragma once
 #include "scene/rows.h"
 

@@ -92,7 +92,8 @@ void main() {
     BladeLean l = leanOf(stand, vec2(0.0));
     float plain = slices.reflectScale * darkened(d) * l.lighter;
     vec3 gain = plain * farLevel(max(length(r.dx), length(r.dy))) * farGain(seen, lean, l.clump, laid.y, grown);
-    FarLit lit = FarLit(levelSun(), kLevel, position, kOnGround, gain * (slices.farAmbient * skyShare(uv)),
+    FarLit lit = FarLit(levelSun(), kLevel, position, kOnGround,
+                        gain * (slices.farAmbient * skyShare(uv) * skyOnGrassPastTrees(position)),
                         sunVisible(position, kOnGround) * sunOverSlope(toEye, slope, density), gain,
                         plain * laidGain(lookTap(seen), laid.y), sunsHotSpot(toEye, laid.y));
     vec3 light = clamp(farRadiance(sliceLight, r, leaf, stored.zw, lit), vec3(0.0), vec3(kBrightest));

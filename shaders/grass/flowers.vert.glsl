@@ -57,7 +57,7 @@ vec2 leanAt(Flower f, vec2 at, vec2 place, vec2 blown) {
 }
 
 vec3 lightOn(vec3 at, vec3 n, float open, vec2 place) {
-    vec3 sum = ambientLight(n) * (open * skyShare(place));
+    vec3 sum = ambientLight(n) * (open * skyShare(place) * skyOnGrassPastTrees(at));
     if (SUN)
         sum += frame.sunLight * (flowerSends(n, frame.sunDirection) * frame.sunIsUp * sunVisible(at, vec3(0.0)) * open);
     for (int i = 0; i < lampCount(); ++i) {

@@ -138,7 +138,7 @@ void main() {
     shell.gain =
         SUN ? shown * sunsHotSpot(toEye, press) * sunOverSlope(toEye, slope, 1.0) * frame.sunLight * frame.sunIsUp
             : vec3(0.0);
-    shell.ambient = shown * slices.ambient * skyShare(uv);
+    shell.ambient = shown * slices.ambient * (skyShare(uv) * skyOnGrassPastTrees(shell.start));
     shell.brighter = plain * laidGain(lookTap(toEye), press);
 
     vec2 comesIn = toCells(shell.start.xz);

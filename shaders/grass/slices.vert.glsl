@@ -8,6 +8,7 @@
 #include "lib/heights.glsl"
 #include "lib/light.glsl"
 #include "lib/mirror.glsl"
+#include "lib/shadow.glsl"
 #include "lib/slices.glsl"
 #include "lib/wind.glsl"
 #include "numerics/clump.h"
@@ -115,7 +116,7 @@ void main() {
     images = sunImages(levelSun(), axis, axes.x, mirror);
     gain = SUN ? shown * sunsHotSpot(toEye, press) * sunOverSlope(toEye, slope, 1.0) * frame.sunLight * frame.sunIsUp
                : vec3(0.0);
-    ambient = shown * slices.ambient * skyShare(uv);
+    ambient = shown * slices.ambient * (skyShare(uv) * skyOnGrassPastTrees(foot));
     float hazed = hazeShare(length(position));
     haze = vec4(hazeColor(foot) * hazed, 1.0 - hazed);
     for (int c = 0; c < 3; ++c) lamp[c] = vec4(0.0);

@@ -192,7 +192,8 @@ BladeLight lightBlade(Lit p, vec2 uv) {
     if (GRASS_HEIGHTS) p.density *= bladeShare(uv);
     p.stands = standing(p, uv);
     vec3 around = p.color.reflectance * p.color.scattered * tracedAmbient(p.normal, overGround(p));
-    float sky = skyShare(uv) * p.open * (BLADE_SHADOWS ? othersLeft(p, uv, vec3(0.0)) : 1.0);
+    float sky =
+        skyShare(uv) * skyOnGrassPastTrees(p.position) * p.open * (BLADE_SHADOWS ? othersLeft(p, uv, vec3(0.0)) : 1.0);
     o.lit = vec4(around * sky + lampsOn(p, uv), share);
     sunBlade(p, uv, share, o);
     if (FOG || ATMOSPHERE) o.lit.rgb = mix(o.lit.rgb, hazeColor(p.position), share);

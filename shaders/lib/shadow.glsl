@@ -53,15 +53,15 @@ float sunPastMeshes(vec3 position, vec3 normal) {
     return share;
 }
 
-// What trees leave of the sun's light and of the sky's on the ground; of the sun's, trees that are meshes in shadow
-// maps count as well.
-vec2 pastTrees(vec3 position) {
+// What trees leave of the sun's light and of the sky's on the ground, and of the sky's on what stands upright there; of
+// the sun's, trees that are meshes in shadow maps count as well.
+vec3 pastTrees(vec3 position) {
     vec2 at = (position.xz + frame.eye.xz) * frame.terrainShare;
     // Texels that a pixel covers there; the way up the picture is what the projection's second row measures.
     vec3 up = vec3(frame.viewProj[0].y, frame.viewProj[1].y, frame.viewProj[2].y);
     vec2 texels = length(position) * 2.0 * frame.pixelShare.y / length(up) * frame.terrainShare *
                   vec2(textureSize(forestShade, 0));
-    return textureLod(forestShade, at, log2(max(max(texels.x, texels.y), 1.0))).rg;
+    return textureLod(forestShade, at, log2(max(max(texels.x, texels.y), 1.0))).rgb;
 }
 // What trees leave of the sun's light where they are not meshes, which are in shadow maps.
 float sunPastTrees(vec3 position) {
@@ -69,6 +69,7 @@ float sunPastTrees(vec3 position) {
 }
 // What they leave of the sky's, near and far.
 float skyPastTrees(vec3 position) { return FOREST_VOLUMES ? pastTrees(position).g : 1.0; }
+float skyOnGrassPastTrees(vec3 position) { return FOREST_VOLUMES ? pastTrees(position).b : 1.0; }
 float sunVisible(vec3 position, vec3 normal) {
     if (frame.sunIsUp <= 0.0) return 1.0;
     float share = sunPastMeshes(position, normal);

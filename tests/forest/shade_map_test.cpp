@@ -50,7 +50,7 @@ struct Wood {
         return sum.map();
     }
     static uint8_t at(const ShadeMap& m, double x, double z, size_t channel = 0) {
-        return m.shares[2 * static_cast<size_t>(static_cast<int>(z / 60 * m.size.y) * m.size.x +
+        return m.shares[3 * static_cast<size_t>(static_cast<int>(z / 60 * m.size.y) * m.size.x +
                                                 static_cast<int>(x / 100 * m.size.x)) +
                         channel];
     }
