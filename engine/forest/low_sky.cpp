@@ -10,14 +10,14 @@ namespace sward {
 namespace {
 
 constexpr double kColumnWidth = 4;     // metres at least: trees stand nearer to each other
-constexpr int kMostColumns = 160;      // cells
+constexpr int kMostColumns = 96;       // cells
 constexpr int kAirLayers = 24;         // up to the top of the tallest tree
-constexpr int kSkyTurns = 16;          // directions around
+constexpr int kSkyTurns = 12;          // directions around
 constexpr int kSkyRises = 16;          // of each, from the horizon to the zenith, each of as much of the sky
 constexpr float kSidewaysSine = 0.2f;  // rise of the ways on which leaves are met (sine)
 constexpr double kMostSkyDepth = 8;
 
-// LeafColumns of leaves: extinction (1/m) by layer, then cell.
+// Columns of leaves: extinction (1/m) by layer, then cell.
 struct LeafColumns {
     glm::ivec2 size{0};
     glm::dvec2 cell{0};
