@@ -127,7 +127,7 @@ glm::vec2 leftAt(const LeafColumns& c, int x, int z) {
             without += light * std::exp(-depth.near), with += light * std::exp(-depth.near - depth.far);
         }
     }
-    return with / without;
+    return with / glm::max(without, 1e-12);  // among trees without a gap neither has any
 }
 
 }  // namespace
