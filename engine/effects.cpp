@@ -11,6 +11,7 @@
 #include "grass/ground_shadow.h"
 #include "grass/grown.h"
 #include "grass/mask.h"
+#include "grass/mesh_geometry.h"
 #include "grass/mesh_grass.h"
 #include "grass/raytraced.h"
 #include "grass/slices.h"
@@ -48,6 +49,7 @@ std::span<const EffectRow> effectRows() {
         forcesEffect(),       forceOutlinesEffect(), maskEffect(),      tracedEffect(),       fieldEffect(),
         farDarkeningEffect(), uniqueEffect(),        geometryEffect(),  groundShadowEffect(), farEffect(),
         farShadowEffect(),    slicesEffect(),        raytracedEffect(), tessellatedEffect(),  meshGrassEffect(),
+        meshGeometryEffect(),
         flowersEffect(),                           // grass
         waterEffect(),        reflectionEffect(),  // water
         antialiasEffect(),    farBlurEffect(),       tonemapEffect(),   mapOverlayEffect(),

@@ -122,7 +122,7 @@ struct Counted {
 
 float fadeOf(const FieldEntity& field) { return field.settings<GrassDrawing>().fade; }
 
-// each(name of the field's entity, species, query) over the species of all fields.
+// each(name of the field's entity, species, query) over the species of all fields that grow over the terrain.
 template <class F>
 void overSpecies(const Counted& c, F&& each) {
     const Ground ground = findGround(c.project);
@@ -133,6 +133,7 @@ void overSpecies(const Counted& c, F&& each) {
     const QueryFrom from{c.camera.eye - ground.origin, frustum, pixelsPerMetre(c.camera, c.height)};
     for (const auto& [name, field] : fieldsOf(c.project)) {
         const GrassField& f = field.grows;
+        if (!f.onTerrain) continue;
         for (const Species& s : f.species) {
             const UniqueBlades own = isUnique(f) ? makeUnique(s, f, *ground.terrain) : UniqueBlades{};
             const Patch patch = isUnique(f) ? own.patch : makePatch(s, f.cellSize, static_cast<uint32_t>(f.seed));

@@ -28,7 +28,8 @@ constexpr size_t roundUp(size_t n, size_t to) { return (n + to - 1) / to * to; }
 template <class T>
 constexpr size_t alignmentOf() {
     if constexpr (std::is_array_v<T>) return alignmentOf<std::remove_extent_t<T>>();
-    if constexpr (std::is_same_v<T, glm::vec2> || std::is_same_v<T, glm::ivec2>) return 8;
+    if constexpr (std::is_same_v<T, glm::vec2> || std::is_same_v<T, glm::ivec2> || std::is_same_v<T, glm::uvec2>)
+        return 8;
     return std::is_class_v<T> ? 16 : alignof(T);
 }
 

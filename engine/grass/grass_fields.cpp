@@ -148,8 +148,9 @@ FeatureSet settingsFeatures(const FieldEntity& field, const FeatureSet& drawn) {
 }
 
 // What a field asks for that grows on meshes alone: its maps lie on the terrain, and are not read.
-FeatureSet meshFeatures(const FieldEntity& field) {
+FeatureSet meshFeatures(const FieldEntity& field, const FeatureSet& drawn) {
     FeatureSet s = featureSet(Feature::Grass, Feature::GrassOnMeshes);
+    if (has(drawn, Feature::GrassGeometry)) s |= featureSet(Feature::GrassMeshGeometry);
     s |= populationFeatures(field.grows) & featureSet(Feature::GrassClumps, Feature::Translucency, Feature::Gloss);
     const auto& drawing = field.settings<GrassDrawing>();
     if (drawing.shadowMask > 0) s |= featureSet(Feature::BladeShadows);
@@ -180,10 +181,11 @@ FeatureSet featuresOnEntity(const Registry& registry, Entity e, const Tables& ta
 FeatureSet fieldFeatures(std::span<const TechniqueRow> techniques, const FieldEntity& field, bool coarse) {
     const auto grows = [](const Species& s) { return s.bladesPerM2 > 0; };
     if (std::none_of(field.grows.species.begin(), field.grows.species.end(), grows)) return {};
-    const FeatureSet onMeshes = growsOnMeshes(field) ? meshFeatures(field) : FeatureSet{};
-    if (!field.grows.onTerrain) return onMeshes;
     const TechniqueRow* row = findTechnique(techniques, field.grows.technique);
     const FeatureSet drawn = row ? row->features(field) : FeatureSet{};
+    const FeatureSet onMeshes =
+        growsOnMeshes(field) ? meshFeatures(field, coarse ? FeatureSet{} : drawn) : FeatureSet{};
+    if (!field.grows.onTerrain) return onMeshes;
     const FeatureSet all = populationFeatures(field.grows) | drawn | settingsFeatures(field, drawn);
     if (!coarse) return all | onMeshes;
     return ((row && row->coarse ? row->coarse(all) : all) & ~featureSet(Feature::GroundShadows)) | onMeshes;

@@ -2,9 +2,10 @@
 
 #include "core/log.h"
 #include "frame/draw_context.h"
-#include "frame/gpu_mesh.h"
 #include "grass/field.h"
 #include "grass/mesh_grass_settings.h"
+#include "grass/mesh_planting.h"
+#include "grass/on_mesh.h"
 #include "grass/raytraced_settings.h"
 #include "grass/slice_gains.h"
 #include "grass/slices.h"
@@ -34,14 +35,15 @@ struct Shell {
     GrassyMesh of;
     const GpuCarrier* carrier = nullptr;
     const Field* field = nullptr;
-    glm::vec4 rows[3] = {};  // from the mesh to positions relative to the eye
+    MeshPlace place = {};
     bool seen = false;
+    bool rays = false;  // are traced: where blades are drawn one by one as far as its end, they have nothing to show
     std::optional<CarrierVertex> below = {};  // the surface under the eye, if the eye may be within the shell
     float above = 0;                          // metres of the eye over that
-    float scale = 1, uvLength = 1, distance = 0;
+    float uvLength = 1, distance = 0;
     size_t firstPart = 0;  // of its surface, among the parts of all
-    GLuint density = 0, vegetation = 0, orientation = 0;
-    std::string features = {};  // featureConstants of what its program is compiled for
+    MeshMaps maps = {};
+    bool blades = false;  // near ones are drawn one by one
 };
 struct ShellView : EffectState {
     DepthCopy depth;        // the scene's, as it was before the shells
@@ -101,19 +103,6 @@ const GpuCarrier& carrierIn(DrawContext& ctx, CarrierState& s, const GrassyMesh&
     return c;
 }
 
-const Field* fieldNamed(const DrawContext& ctx, const std::string& name) {
-    for (const std::unique_ptr<Field>& field : ctx.shared.grass->all)
-        if (field->grown->name == name) return field.get();
-    return nullptr;
-}
-
-void place(const DrawContext& ctx, Shell& shell, const PlacedMesh& placed) {
-    shell.scale = placed.mesh->scale;
-    // As the object is drawn by: the surface lies exactly where that was.
-    const ObjectInstance on = instanceAt(placed.at - ctx.camera.eye, placed.turn * double(shell.scale));
-    std::copy(std::begin(on.row), std::end(on.row), std::begin(shell.rows));
-}
-
 float tallest(const Field& field) {
     float top = 0;
     for (const FieldSpecies& s : field.species) top = std::max(top, s.grown->slices.top);
@@ -123,45 +112,26 @@ float tallest(const Field& field) {
 // The eye is within a shell of this height if the nearest of the surface lies so little below it, and not beside it.
 void findBelow(Shell& shell, float top) {
     glm::vec3 eye(0);  // in the mesh
-    for (const glm::vec4& row : shell.rows) eye -= glm::vec3(row) * row[3] / (shell.scale * shell.scale);
-    const float room = top / shell.scale;
+    const float scale = shell.place.scale;
+    for (const glm::vec4& row : shell.place.rows) eye -= glm::vec3(row) * row[3] / (scale * scale);
+    const float room = top / scale;
     const glm::vec3 low = shell.carrier->low, high = shell.carrier->high;
     if (!glm::all(glm::greaterThan(eye, low - room)) || !glm::all(glm::lessThan(eye, high + room))) return;
     const CarrierVertex nearest = nearestOn(shell.carrier->shape, eye);
     const glm::vec3 over = eye - nearest.position;
     const float above = glm::dot(over, nearest.normal);
     if (above < 0.9f * glm::length(over) || above > room) return;
-    shell.below = nearest, shell.above = above * shell.scale;
+    shell.below = nearest, shell.above = above * scale;
 }
 
 void look(const DrawContext& ctx, Shell& shell) {
     const glm::vec3 low = shell.carrier->low, high = shell.carrier->high;
-    const glm::vec4 c((low + high) * 0.5f, 1);
-    const glm::vec3 centre(glm::dot(shell.rows[0], c), glm::dot(shell.rows[1], c), glm::dot(shell.rows[2], c));
-    const float top = tallest(*shell.field), radius = glm::length(high - low) * 0.5f * shell.scale + top;
+    const glm::vec3 centre = shell.place((low + high) * 0.5f);
+    const float top = tallest(*shell.field), radius = glm::length(high - low) * 0.5f * shell.place.scale + top;
     shell.distance = glm::length(centre);
     shell.seen = ctx.frustum.touches(centre - radius, centre + radius);
+    shell.rays = shell.seen && !(shell.blades && shell.distance + radius <= shell.field->view->tiers.blades.min);
     findBelow(shell, top);
-}
-
-// The mesh's own maps, and a program for those that it has.
-void giveMaps(DrawContext& ctx, Shell& shell) {
-    const MeshGrass& g = *shell.of.grows;
-    const auto texture = [&](const MapField& m, const char* name, bool srgb) {
-        return m.present() ? ctx.maps.get(fmt::format("{}/{}", kOwner, name), shell.of.name + ".MeshGrass." + name,
-                                          m.map, srgb, true)
-                           : 0;
-    };
-    shell.density = texture(g.density, "density", false);
-    shell.vegetation = texture(g.vegetation, "vegetation", true);
-    shell.orientation = texture(g.orientation, "orientation", false);
-    FeatureSet own = shell.field->view->own & featureSet(Feature::Grass, Feature::GrassOnMeshes, Feature::GrassClumps,
-                                                         Feature::Translucency, Feature::Gloss, Feature::GrassBlended,
-                                                         Feature::BladeShadows, Feature::FarDarkening);
-    if (shell.density) own |= featureSet(Feature::GrassDensity);
-    if (shell.vegetation) own |= featureSet(Feature::GrassVegetation);
-    if (shell.orientation) own |= featureSet(Feature::GrassOrientation);
-    shell.features = featureConstants(featuresFor(ctx, own));
 }
 
 void writeGlobals(DrawContext& ctx, ShellView& view) {
@@ -169,6 +139,7 @@ void writeGlobals(DrawContext& ctx, ShellView& view) {
     eachSpecies(ctx, Feature::GrassOnMeshes, [&](const Field& field, size_t i) {
         SliceGlobals g = sliceGlobalsOf(ctx, field, i);
         g.eyeCell = g.inCell = glm::vec2(0);
+        g.minGeom = field.view->tiers.blades.min, g.geomInv = field.view->tiers.blades.inv;
         const auto& images = field.view->settings<GrassSlices>();
         setGains(g, images.sliceCover == SliceCover::Conserving, field.species[i].grown->skyGains);
         writeBuffer(ctx.gpu, view.globals.at(field.number, i), kOwner, sizeof(g), &g);
@@ -187,10 +158,12 @@ void select(DrawContext& ctx) {
         Shell shell{
             .of = on, .carrier = &carrierIn(ctx, state, on, placed.mesh->file), .field = fieldNamed(ctx, on.field)};
         if (!shell.carrier->indexCount || !shell.field) continue;
-        place(ctx, shell, placed);
-        giveMaps(ctx, shell);
-        shell.uvLength =
-            static_cast<float>(uvLengthOf(*on.grows, shell.carrier->shape, static_cast<double>(shell.scale)));
+        shell.place = placeOn(ctx, on.entity);
+        const double uvLength = uvLengthOf(*on.grows, shell.carrier->shape, static_cast<double>(shell.place.scale));
+        shell.uvLength = static_cast<float>(uvLength);
+        shell.blades =
+            drawsBladesOn(*shell.field, bladesAsked({shell.carrier->shape, on, shell.field->grows(), uvLength}));
+        shell.maps = mapsOn(ctx, *shell.field, on, shell.blades);
         look(ctx, shell);
         view.shells.push_back(std::move(shell));
     }
@@ -202,16 +175,8 @@ void select(DrawContext& ctx) {
     writeGlobals(ctx, view);
 }
 
-void bindMaps(const Shell& shell) {
-    for (const auto& [unit, texture] : {std::pair<GLuint, GLuint>{TEX_DENSITY, shell.density},
-                                        {TEX_VEGETATION, shell.vegetation},
-                                        {TEX_ORIENTATION, shell.orientation}})
-        if (texture) glBindTextureUnit(unit, texture);
-}
-
 void setPlace(const Shell& shell) {
-    glUniform4fv(10, 3, &shell.rows[0].x);
-    glUniform1f(13, shell.scale);
+    shell.place.set();
     glBindVertexArray(shell.carrier->mesh.id());
 }
 
@@ -247,12 +212,12 @@ enum Program { kOver, kInside, kEnds };
 bool begin(DrawContext& ctx, const ShellView& view, const Shell& shell, bool inside) {
     const auto& rays = shell.field->view->settings<RaytracedGrass>();
     endTransparency();
-    const bool whole = !shell.density && isSownWhole(*shell.field);
+    const bool whole = !shell.maps.density && !shell.blades && isSownWhole(*shell.field);
     const std::string constants =
         fieldConstants(shell.field->view->of) + rayConstants(whole, rays.rest) + depthConstants(ctx.targets);
-    if (!ctx.use(inside ? kInside : kOver, insideConstant(inside) + constants, &shell.features)) return false;
+    if (!ctx.use(inside ? kInside : kOver, insideConstant(inside) + constants, &shell.maps.features)) return false;
     bindField(*shell.field);
-    bindMaps(shell);
+    bindMaps(shell.maps);
     beginTransparency(ctx, *shell.field);
     glUniform1i(0, rays.steps);
     glUniform1f(1, rays.cutOff);
@@ -309,7 +274,7 @@ Tallest tallestOf(const ShellView& view) {
     Tallest out;
     for (const Shell& shell : view.shells)
         for (size_t i = 0; i < shell.field->species.size(); ++i)
-            if (const float top = shell.field->species[i].grown->slices.top; shell.seen && top > out.top)
+            if (const float top = shell.field->species[i].grown->slices.top; shell.rays && top > out.top)
                 out = {shell.field, i, top};
     return out;
 }
@@ -325,7 +290,7 @@ void drawEnds(DrawContext& ctx, ShellView& view) {
     glEnable(GL_CULL_FACE);
     glCullFace(GL_FRONT);
     for (const Shell& shell : view.shells) {
-        if (!shell.seen) continue;
+        if (!shell.rays) continue;
         setShell(shell);
         drawIndices(ctx, 0, shell.carrier->shape.surface);
     }
@@ -339,11 +304,11 @@ void drawEnds(DrawContext& ctx, ShellView& view) {
 // Also while it is not seen: no halt when it comes into view.
 bool drawOn(DrawContext& ctx, ShellView& view, const Shell& shell, bool inside) {
     if (!begin(ctx, view, shell, inside)) return false;
-    for (size_t i = 0; shell.seen && i < shell.field->species.size(); ++i) {
+    for (size_t i = 0; shell.rays && i < shell.field->species.size(); ++i) {
         bindVerticalSlices(ctx, *shell.field, i, SliceLevels::One);
         bindFar(shell.field->species[i].grown->slices);
         glBindTextureUnit(TEX_SUN_GAINS, shell.field->species[i].grown->sunGains.id());
-        if (shell.density) glBindTextureUnit(TEX_DENSITY, shell.density);
+        if (shell.maps.density) glBindTextureUnit(TEX_DENSITY, shell.maps.density);
         glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SLICES, view.globals.at(shell.field->number, i).id());
         if (inside)
             drawAround(ctx, view, shell, shell.field->species[i].grown->slices.top);
@@ -355,7 +320,7 @@ bool drawOn(DrawContext& ctx, ShellView& view, const Shell& shell, bool inside) 
 
 void draw(DrawContext& ctx) {
     ShellView& view = ctx.ofView<ShellView>();
-    if (std::any_of(view.shells.begin(), view.shells.end(), [](const Shell& s) { return s.seen; }))
+    if (std::any_of(view.shells.begin(), view.shells.end(), [](const Shell& s) { return s.rays; }))
         copyDepth(ctx, kOwner, view.depth), fitEnds(ctx, view);
     else
         view.depth = {}, view.endsTarget = {}, view.ends = {}, view.leaving = {};
@@ -375,9 +340,9 @@ void shade(DrawContext& ctx) {
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(0, 16);  // by no slope: that would bring the shade before grass in wide pixels
     for (const Shell& shell : view.shells) {
-        if (!ctx.use(0, {}, &shell.features)) break;
+        if (!ctx.use(0, {}, &shell.maps.features)) break;
         bindField(*shell.field);
-        bindMaps(shell);
+        bindMaps(shell.maps);
         setPlace(shell);
         glUniform1f(4, shell.uvLength);
         for (size_t i = 0; shell.seen && i < shell.field->species.size(); ++i) {
@@ -434,7 +399,7 @@ const Pass kPasses[] = {{"grass/mesh-grass",
                          kShadePrograms,
                          shade}};
 const Follows kFollows[] = {
-    {Feature::GrassOnMeshes, "rays through slices, whatever technique draws the field over the terrain"},
+    {Feature::GrassOnMeshes, "rays through slices, but for blades that are drawn one by one"},
     {Feature::Wind, "rays lean against the gust where it blows along the surface"},
     {Feature::Forces, "grass on meshes is not pressed"},
     {Feature::ForceMap, "grass on meshes is not pressed"},

@@ -6,12 +6,12 @@
 namespace sward {
 namespace {
 
+bool hasValue(const glm::vec3& c) { return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z); }
+
 // Tone mapping clamps; a pixel that has no value must not become black by it.
 glm::vec3 shown(const glm::vec3& c) {
-    const bool finite = std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z);
-    return finite ? f32::srgbEncode3(f32::toneMapNeutral(c)) : glm::vec3(kNoValue);
+    return hasValue(c) ? f32::srgbEncode3(f32::toneMapNeutral(c)) : glm::vec3(kNoValue);
 }
-bool finite(const glm::vec3& c) { return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z); }
 
 // The error at which the slope and the bend of encoding are taken: all of it, or half of the darkest channel's value.
 float shareOfError(const glm::vec3& c, const glm::vec3& error) {
@@ -22,7 +22,7 @@ float shareOfError(const glm::vec3& c, const glm::vec3& error) {
 }
 // Sets the pixel's noise, and gives its value back what the bend takes from it.
 void takeError(Picture& p, size_t i, const glm::vec3& c, const glm::vec3& error) {
-    if (!finite(c) || !finite(error)) return;
+    if (!hasValue(c) || !hasValue(error)) return;
     if (p.linear) return void(p.noise[i] = error * error);
     const float share = std::max(shareOfError(c, error), 1e-3f);
     const glm::vec3 above = shown(c + share * error), below = shown(c - share * error), here = shown(c);
@@ -87,7 +87,7 @@ Result<PicturePair> pairPictures(Picture image, Picture truth, const std::vector
     PicturePair p{std::move(image), std::move(truth), std::vector<float>(n, 1)};
     for (size_t i = 0; i < n; ++i) {
         if (!mask.empty()) p.weight[i] = std::isfinite(mask[i]) ? std::clamp(mask[i], 0.0f, 1.0f) : 0.0f;
-        if (!finite(p.image.pixels[i]) || !finite(p.truth.pixels[i])) {
+        if (!hasValue(p.image.pixels[i]) || !hasValue(p.truth.pixels[i])) {
             p.weight[i] = 0;
             p.image.pixels[i] = p.truth.pixels[i] = glm::vec3(kNoValue);
             if (p.nonFinite++ == 0)

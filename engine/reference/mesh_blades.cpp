@@ -1,10 +1,8 @@
 #include "reference/mesh_blades.h"
 
-#include <array>
-
 #include "core/numerics.h"
 #include "grass/grown.h"
-#include "grass/mesh_grass_settings.h"
+#include "grass/mesh_planting.h"
 #include "mesh/carrier.h"
 #include "mesh/mesh_io.h"
 #include "reference/blade_hits.h"
@@ -16,9 +14,6 @@
 
 namespace sward {
 namespace {
-
-constexpr int kBins = 16;                  // a side, of a cell's blades
-constexpr size_t kMostPairs = 50'000'000;  // of triangles and the cells that they touch
 
 // The carrier's axes at a blade's root, in the world: a blade stands in them as it would on level ground.
 struct Axes {
@@ -41,98 +36,32 @@ struct PlantedBlade {
 struct MeshKind {
     const Species* species;
     Patch patch;
-    uint32_t sowSeed;
     TexelGrid image;
     float leanAtFull;
     glm::vec3 clumps;
     WindGlobals wind{};  // about the mesh's origin, as strong as the species feels it
 };
 
-// A carrier where it stands.
+// What grows on a mesh where that stands, in which wind.
 struct Planting {
-    const MeshCarrier& carrier;
-    const GrassyMesh& on;
-    const GrassField& field;
+    MeshPlanting what;
     glm::dmat3 turn;  // with the scale
-    double uvLength;  // metres that one unit of texture coordinates is
     const Wind* wind;
     const Map* gusts;
 };
 
-glm::dvec2 inPatch(const Planting& p, uint32_t vertex) {
-    return glm::dvec2(p.carrier.vertices[vertex].uv) * p.uvLength;
-}
-
-// A triangle in a cell of the patch that it touches.
-struct CellPart {
-    int x, z;
-    uint32_t triangle;
-    auto cell() const { return std::pair(x, z); }
-};
-Result<std::vector<CellPart>> cellsOf(const Planting& p) {
-    std::vector<CellPart> out;
-    const double size = static_cast<double>(p.field.cellSize);
-    for (size_t i = 0; i < p.carrier.surface; i += 3) {
-        glm::dvec2 low(1e30), high(-1e30);
-        for (size_t k = 0; k < 3; ++k) {
-            const glm::dvec2 at = inPatch(p, p.carrier.indices[i + k]) / size;
-            low = glm::min(low, at), high = glm::max(high, at);
-        }
-        low = glm::floor(low), high = glm::floor(high);
-        const glm::dvec2 cells = high - low + 1.0;
-        if (!(glm::max(glm::abs(low), glm::abs(high)).x < 1e9) || !(glm::max(glm::abs(low), glm::abs(high)).y < 1e9) ||
-            static_cast<double>(out.size()) + cells.x * cells.y > static_cast<double>(kMostPairs))
-            return unsound(p.on.name + ".MeshGrass: its texture coordinates run over too many cells of the grass",
-                           "give uvLength a smaller value, or the field larger cells");
-        for (int z = static_cast<int>(low.y); z <= static_cast<int>(high.y); ++z)
-            for (int x = static_cast<int>(low.x); x <= static_cast<int>(high.x); ++x)
-                out.push_back({x, z, static_cast<uint32_t>(i)});
-    }
-    std::sort(out.begin(), out.end(), [](const CellPart& a, const CellPart& b) {
-        return std::pair(a.cell(), a.triangle) < std::pair(b.cell(), b.triangle);
-    });
-    return out;
-}
-
-// Where in a cell the patch's blades stand, sorted into squares.
-struct CellRoots {
-    std::vector<glm::vec2> roots;  // metres, by blade
-    std::array<std::vector<uint32_t>, kBins * kBins> bins;
-};
-int binOf(float at, float size) { return std::clamp(static_cast<int>(at / size * kBins), 0, kBins - 1); }
-CellRoots rootsIn(const Patch& patch, const f32::CellVersion& version, float size) {
-    CellRoots r;
-    for (const Blade& b : patch.blades) {
-        const glm::vec2 at = f32::rootInCell(b.root, version.mirror, version.shift, size);
-        r.bins[static_cast<size_t>(binOf(at.y, size) * kBins + binOf(at.x, size))].push_back(
-            static_cast<uint32_t>(r.roots.size()));
-        r.roots.push_back(at);
-    }
-    return r;
-}
-
-// Weights of a triangle's corners at a place of the patch.
-struct Corners {
-    std::array<glm::dvec2, 3> at;
-    double area2;
-    glm::dvec3 weights(const glm::dvec2& p) const {
-        const auto part = [&](const glm::dvec2& a, const glm::dvec2& b) {
-            return ((a.x - p.x) * (b.y - p.y) - (a.y - p.y) * (b.x - p.x)) / area2;
-        };
-        return {part(at[1], at[2]), part(at[2], at[0]), part(at[0], at[1])};
-    }
-};
-
-f32::BladeStand standOn(const Planting& p, const MeshKind& kind, const Blade& b, const CellPart& cell,
-                        const glm::vec2& inCell, const PlantedBlade& planted) {
+f32::BladeStand standOn(const Planting& p, const MeshKind& kind, const Blade& b, const MeshRoot& root,
+                        const PlantedBlade& planted) {
     f32::BladeStand s = f32::emptyStand();
-    if (p.on.grows->orientation.present()) {
-        const glm::vec4 t = paintedAt(p.on.grows->orientation.map, glm::dvec2(planted.uv), 1, false);
+    const MeshGrass& grows = *p.what.on.grows;
+    const GrassField& field = p.what.field;
+    if (grows.orientation.present()) {
+        const glm::vec4 t = paintedAt(grows.orientation.map, glm::dvec2(planted.uv), 1, false);
         s.paint = f32::paintOf(t.x, t.y), s.leanAtFull = kind.leanAtFull;
     }
     if (kind.clumps != glm::vec3(0))
-        s.clump = f32::clumpValues(cell.x, cell.z, inCell, p.field.cellSize, kind.species->clumpSize,
-                                   static_cast<uint32_t>(p.field.seed));
+        s.clump = f32::clumpValues(root.cellX, root.cellZ, root.inCell, field.cellSize, kind.species->clumpSize,
+                                   static_cast<uint32_t>(field.seed));
     s.clumpLean = kind.clumps.x, s.clumpHeight = kind.clumps.y, s.clumpLightness = kind.clumps.z;
     if (p.wind) {
         const glm::vec2 lean = windLeanAt(kind.wind, *p.gusts, {planted.root.x, planted.root.z}, b.dither);
@@ -142,59 +71,19 @@ f32::BladeStand standOn(const Planting& p, const MeshKind& kind, const Blade& b,
     return s;
 }
 
-// The blade, if it stands on the triangle and the density lets it.
-std::optional<PlantedBlade> plant(const Planting& p, const MeshKind& kind, const Corners& corners, const CellPart& cell,
-                                  const f32::CellVersion& version, uint32_t blade, const glm::vec2& inCell) {
-    const double size = static_cast<double>(p.field.cellSize);
-    const glm::dvec3 w = corners.weights(glm::dvec2(cell.x, cell.z) * size + glm::dvec2(inCell));
-    if (!(w.x >= 0 && w.y >= 0 && w.z >= 0)) return std::nullopt;
-    const auto mixed = [&](glm::vec3 CarrierVertex::*member) {
-        const auto at = [&](size_t k) {
-            return glm::dvec3(p.carrier.vertices[p.carrier.indices[cell.triangle + k]].*member);
-        };
-        return at(0) * w.x + at(1) * w.y + at(2) * w.z;
-    };
-    const Blade& b = kind.patch.blades[blade];
+PlantedBlade pose(const Planting& p, const MeshKind& kind, const MeshRoot& root) {
+    const Blade& b = kind.patch.blades[root.blade];
     PlantedBlade out{};
-    out.uv = glm::vec2((glm::dvec2(cell.x, cell.z) * size + glm::dvec2(inCell)) / p.uvLength);
-    const MapField& density = p.on.grows->density;
-    const float grown = density.present() ? paintedAt(density.map, glm::dvec2(out.uv), 1, false).x : 1.0f,
-                chance = f32::cellChance(cell.x, cell.z, kind.sowSeed);
-    if (grown < f32::thresholdIn(b.threshold, kind.patch.sown, chance)) return std::nullopt;
-    const glm::dvec3 normal = mixed(&CarrierVertex::normal);
-    const glm::vec3 n(glm::normalize(p.turn * normal));
-    const CarrierFrame f = carrierFrame(n, glm::vec3(p.turn * mixed(&CarrierVertex::alongU)),
-                                        glm::vec3(p.turn * mixed(&CarrierVertex::alongV)));
+    out.uv = root.uv;
+    const glm::vec3 n(glm::normalize(p.turn * root.normal));
+    const CarrierFrame f = carrierFrame(n, glm::vec3(p.turn * root.alongU), glm::vec3(p.turn * root.alongV));
     out.axes = {f.tangent, n, f.bitangent};
-    out.root = glm::vec3(p.turn * mixed(&CarrierVertex::position));
-    const f32::BladeLean lean = f32::leanOf(standOn(p, kind, b, cell, inCell, out), b.facing * version.mirror);
-    const f32::BladePose pose = f32::poseBlade(b.control, b.tip, b.facing, version.mirror, lean.lean, lean.scale);
+    out.root = glm::vec3(p.turn * root.position);
+    const f32::BladeLean lean = f32::leanOf(standOn(p, kind, b, root, out), b.facing * root.mirror);
+    const f32::BladePose pose = f32::poseBlade(b.control, b.tip, b.facing, root.mirror, lean.lean, lean.scale);
     out.control = pose.control, out.tip = pose.tip, out.facing = pose.facing;
-    out.width = b.width, out.lighter = lean.lighter, out.blade = blade;
+    out.width = b.width, out.lighter = lean.lighter, out.blade = root.blade;
     return out;
-}
-
-void plantCell(const Planting& p, const MeshKind& kind, std::span<const CellPart> parts,
-               std::vector<PlantedBlade>& out) {
-    const float size = p.field.cellSize;
-    const CellPart& first = parts.front();
-    const f32::CellVersion version = f32::cellVersion(first.x, first.z, static_cast<uint32_t>(p.field.seed));
-    const CellRoots roots = rootsIn(kind.patch, version, size);
-    const glm::dvec2 corner = glm::dvec2(first.x, first.z) * static_cast<double>(size);
-    for (const CellPart& part : parts) {
-        Corners c{};
-        glm::vec2 low(1e30f), high(-1e30f);
-        for (size_t k = 0; k < 3; ++k) {
-            c.at[k] = inPatch(p, p.carrier.indices[part.triangle + k]);
-            low = glm::min(low, glm::vec2(c.at[k] - corner)), high = glm::max(high, glm::vec2(c.at[k] - corner));
-        }
-        c.area2 = (c.at[1].x - c.at[0].x) * (c.at[2].y - c.at[0].y) - (c.at[1].y - c.at[0].y) * (c.at[2].x - c.at[0].x);
-        for (int z = binOf(low.y, size); z <= binOf(high.y, size); ++z)
-            for (int x = binOf(low.x, size); x <= binOf(high.x, size); ++x)
-                for (const uint32_t blade : roots.bins[static_cast<size_t>(z * kBins + x)])
-                    if (const auto planted = plant(p, kind, c, part, version, blade, roots.roots[blade]))
-                        out.push_back(*planted);
-    }
 }
 
 }  // namespace
@@ -254,36 +143,22 @@ Status makeScene(MeshShell& s) {
 
 MeshKind kindOf(const Project& p, const Species& s, const GrassField& field) {
     const uint32_t seed = static_cast<uint32_t>(field.seed);
-    return {&s,
-            makePatch(s, field.cellSize, seed),
-            sowingSeed(s, seed),
-            texelGridOf(bladeImage(p, s)),
-            leanAtFull(s),
-            clumpStrengths(s)};
-}
-
-// Blades that stand on a mesh at a density of 1.
-double bladesAsked(const Planting& p) {
-    double perM2 = 0;
-    for (const Species& s : p.field.species) perM2 += static_cast<double>(s.bladesPerM2);
-    return perM2 * p.carrier.uvArea * p.uvLength * p.uvLength;
+    return {&s, makePatch(s, field.cellSize, seed), texelGridOf(bladeImage(p, s)), leanAtFull(s), clumpStrengths(s)};
 }
 
 Status growOn(MeshShell& s, const Project& project, const Planting& p, double time, const JobControl& control) {
-    const auto cells = cellsOf(p);
+    const auto cells = cellsOf(p.what);
     if (!cells) return cells.error();
-    for (const Species& species : p.field.species) {
-        MeshKind kind = kindOf(project, species, p.field);
+    for (const Species& species : p.what.field.species) {
+        MeshKind kind = kindOf(project, species, p.what.field);
         if (kind.patch.blades.empty()) continue;
         if (p.wind)
             kind.wind = windGlobals(*p.wind, {s.at.x, s.at.z}, time),
             kind.wind.strength = windStrength(*p.wind, species);
         const size_t before = s.blades.size();
-        for (size_t i = 0, end = 0; i < cells->size(); i = end) {
-            if (control.cancelled()) return failed("cancelled");
-            while (end < cells->size() && (*cells)[end].cell() == (*cells)[i].cell()) ++end;
-            plantCell(p, kind, std::span(*cells).subspan(i, end - i), s.blades);
-        }
+        if (!plantOn(p.what, *cells, species, kind.patch, control,
+                     [&](const MeshRoot& root) { s.blades.push_back(pose(p, kind, root)); }))
+            return failed("cancelled");
         for (size_t i = before; i < s.blades.size(); ++i) s.blades[i].kind = static_cast<uint32_t>(s.kinds.size());
         s.kinds.push_back(std::move(kind));
     }
@@ -351,9 +226,9 @@ Result<MeshBlades> MeshBlades::make(const Project& p, double time, const JobCont
         if (carrier.surface == 0) return noTextureCoordinates(on.name, file);
         const double scale = static_cast<double>(placed.mesh->scale);
         const auto& [number, field] = fields.at(on.field);
-        const Planting planting{carrier, on,   *field, placed.turn * scale, uvLengthOf(*on.grows, carrier, scale),
-                                wind,    gusts};
-        asked += bladesAsked(planting);
+        const Planting planting{
+            {carrier, on, *field, uvLengthOf(*on.grows, carrier, scale)}, placed.turn * scale, wind, gusts};
+        asked += bladesAsked(planting.what);
         if (asked > kMaxMeshBlades)
             return unsound(
                 fmt::format("{}.MeshGrass: with it {:.1f} million blades stand on meshes; the truth traces {:.0f} "

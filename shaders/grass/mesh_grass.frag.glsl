@@ -8,6 +8,7 @@
 #include "lib/field.glsl"
 #include "lib/frame.glsl"
 #include "lib/light.glsl"
+#include "lib/mesh_sun.glsl"
 #include "lib/motion.glsl"
 #include "lib/scene_depth.glsl"
 #include "lib/shadow.glsl"
@@ -15,6 +16,8 @@
 #include "lib/slices.glsl"
 #include "lib/wind.glsl"
 #include "numerics/clump.h"
+#include "numerics/lod.h"
+#include "numerics/opacity.h"
 #include "numerics/stand.h"
 
 layout(binding = TEX_FAR_REFLECTANCE) uniform sampler2DArray flatReflectance;
@@ -63,26 +66,16 @@ vec3 paintedOn(vec3 reflectance, vec2 cells, float pixel, vec3 toEye, bool far) 
     vec4 paint = textureLod(vegetationMap, uvOf(cells), mapLevelOn(textureSize(vegetationMap, 0), pixel));
     return underPaint(reflectance, paint, paint.a, toEye, far);
 }
-float grownAt(Met m, Shell shell, float pixel) { return densityOn(m.at, pixel); }
+// Share of the blades so far from the eye that are not drawn one by one.
+float sharedAt(float distance) { return GRASS_MESH_GEOMETRY ? lodRamp(distance, slices.minGeom, slices.geomInv) : 1.0; }
+float grownAt(Met m, Shell shell, float pixel) {
+    return sliceDensity(densityOn(m.at, pixel), sharedAt(length(shell.start + shell.way * m.t)));
+}
 
 // Curvature of the surface along a direction in the field's axes, 1/m, of a unit of length.
-float bendAlong(vec3 d) {
-    float most = kMostBent / slices.top;
-    return clamp(bend.x * d.x * d.x + 2.0 * bend.y * d.x * d.z + bend.z * d.z * d.z, -most, most);
-}
+float bendAlong(vec3 d) { return bendTo(bend, d, kMostBent / slices.top); }
 
-// A sun that stands lower than the surface's horizon is hidden by the surface itself, unless one looks over its bend
-// from high enough.
-float pastHorizon(Shell shell, float above) {
-    return smoothstep(-0.05, 0.05, shell.sunRise + sqrt(2.0 * shell.sunBend * max(above, 0.0)));
-}
-// The sun over level ground that comes to the middle of the grass by as long a way through it: what bends away has less
-// grass before a low sun. Unit; in the field's axes.
-vec3 sunOverLevel(vec3 sun, float bend, float height) {
-    float rise = 0.5 * (sun.y + sqrt(sun.y * sun.y + bend * height));
-    return vec3(sun.xz * sqrt(max(1.0 - rise * rise, 0.0) / max(dot(sun.xz, sun.xz), 1e-6)), rise).xzy;
-}
-float sunAt(Met m, Shell shell) { return shell.visible * pastHorizon(shell, m.above); }
+float sunAt(Met m, Shell shell) { return shell.visible * pastHorizon(shell.sunRise, shell.sunBend, m.above); }
 vec3 paintedAt(vec3 reflectance, Met m, Shell shell, float pixel) {
     return paintedOn(reflectance, m.at, pixel, -shell.seen, false);
 }
@@ -122,7 +115,8 @@ void addFlat(inout Sum sum, Shell shell, SliceRay ray, BladeLean p, vec3 sunGain
     float pixel = pixelAt(length(shell.start) + e.t), cells = pixel / slices.cellSize;
     vec2 c = ray.entry.xy + vec2(0.5 / float(slices.slices)) + ray.direction.xy * e.t;
     Repeated r = repeatedAt(c, vec2(cells, 0.0), vec2(0.0, cells / max(y, kTurned)));
-    float vertical = sqrt(1.0 - min(dot(p.lean, p.lean), 0.9)) * verticalShare(y), density = densityOn(c, pixel);
+    float vertical = sqrt(1.0 - min(dot(p.lean, p.lean), 0.9)) * verticalShare(y),
+          density = sliceDensity(densityOn(c, pixel), sharedAt(length(shell.start) + e.t));
     if (!(density > 0.0)) return;
     vec4 stored;
     float alpha = farOpacity(flatThreshold, r, density, 1.0, y, vertical, 0.0, stored);
@@ -130,7 +124,8 @@ void addFlat(inout Sum sum, Shell shell, SliceRay ray, BladeLean p, vec3 sunGain
     vec4 leaf = textureGrad(flatReflectance, r.texel, r.dx, r.dy);
     leaf.rgb = paintedOn(leaf.rgb, c, pixel, -shell.seen, true);
     FarLit lit = FarLit(shell.sun, shell.toField, shell.start + shell.way * e.t, shell.raise, ambient,
-                        shell.visible * pastHorizon(shell, slices.farHeight), sunGain, shell.brighter, vec3(1.0));
+                        shell.visible * pastHorizon(shell.sunRise, shell.sunBend, slices.farHeight), sunGain,
+                        shell.brighter, vec3(1.0));
     vec3 light = clamp(farRadiance(flatLight, r, leaf, stored.zw, lit), vec3(0.0), vec3(kBrightest)) * farLevel(cells);
     add(sum, light, alpha, e.t);
 }
@@ -203,6 +198,7 @@ void main() {
     ShellEnd end = shellEnd(entry.z, sinks, k, height);
     ray.end = bends.y != 0.0 ? leaves - ahead : end.t;
     ray.ground = end.ground && bends.y == 0.0;
+    if (!(sharedAt(length(start) + ahead + min(ray.end, kRayNever) + height) > 0.0)) discard;
 
     vec3 toEye = -seen;
     float level = max(length(seen.xz), 1e-4);
@@ -220,10 +216,11 @@ void main() {
     shell.turned = CONSERVING ? verticalShare(toEye.y) * abs(seen.xz) / level : vec2(1.0);
     vec3 open = ambientLight(n) / max(ambientLight(vec3(0.0, 1.0, 0.0)), vec3(1e-6));
     vec3 plain = vec3(p.lighter * darkened(far) * slices.reflectScale);
+    vec3 shown = plain * (GRASS_MESH_GEOMETRY ? sharedGain(toEye, sharedAt(far + ahead)) : 1.0);
     vec4 sunGain = SUN ? textureLod(sunGains, directedPlace(toEye, sun), 0.0) : vec4(0.0);
-    sunGain.rgb *= plain * (lampFade(sun) * directedSpot(toEye, sun));
+    sunGain.rgb *= shown * (lampFade(sun) * directedSpot(toEye, sun));
     shell.gain = sunGain.rgb * frame.sunLight * frame.sunIsUp;
-    shell.ambient = plain * sliceGain(toEye, p.free - p.clump, p.clump, 0.0, false) * slices.ambient * open;
+    shell.ambient = shown * sliceGain(toEye, p.free - p.clump, p.clump, 0.0, false) * slices.ambient * open;
     shell.brighter = plain;
     shell.raise = n;
     shell.visible = sunVisible(shell.start, n);

@@ -1,6 +1,7 @@
 // How a point of a blade is coloured and lit: all that the fragment does not decide (lib/blade_pixel.glsl).
 // Needs: const bool GRASS_VEGETATION, GRASS_HEIGHTS, SUN, FOG, ATMOSPHERE, BLADE_SHADOWS, CASTING_LIGHTS. hue,
-// lightness: as numerics/population.h bladeTint takes them; uv: of the root (mapPlace).
+// lightness: as numerics/population.h bladeTint takes them; uv: of the root (mapPlace). ON_MESH is defined where blades
+// stand on an object: then directions are in the axes of its surface, and lib/on_mesh.glsl says what is other there.
 #include "lib/blade.glsl"
 #include "lib/field.glsl"
 #include "lib/density.glsl"
@@ -18,6 +19,26 @@
 #include "numerics/population.h"
 #include "numerics/slope.h"
 
+#ifdef ON_MESH
+#include "lib/on_mesh.glsl"
+#else
+// A direction of the world in the axes in which blades stand; the sun's, that as traced light takes it, and as masks
+// do.
+vec3 inAxes(vec3 way) { return way; }
+vec3 sunWay() { return frame.sunDirection; }
+vec3 sunAbove() { return frame.sunDirection; }
+vec3 sunOverGround() { return frame.sunDirection; }
+// Metres over the ground as a step on maps, and where they are read.
+vec2 onMaps(vec2 metres) { return metres * frame.mapShare; }
+vec2 densityAt(vec2 uv) { return tiled(uv, field.species[species.index].tiling); }
+vec2 paintAt(vec2 uv) { return uv * field.vegetationTiling; }
+float levelOnMaps(float metres, ivec2 size) { return levelOver(metres, size); }
+// Normal of the object below, 0 on the ground; of the sun's light and the sky's, what is left past what stands there.
+vec3 objectBelow() { return vec3(0.0); }
+float sunOnBlade(vec3 position, vec3 fromRoot) { return sunVisible(position, vec3(0.0)); }
+vec3 skyOnBlade(vec3 position) { return vec3(skyOnGrassPastTrees(position)); }
+#endif
+
 // Reflectance; scattered: by how much it is brighter than that, where paint changes what goes from blade to blade.
 struct BladeColor {
     vec3 reflectance, scattered;
@@ -27,7 +48,7 @@ BladeColor bladeColor(float hue, float lightness, float v, float middleLacked, v
     vec3 own = bladeTint(bladeGradientRow(species.rootColor, species.midColor, species.tipColor, v, middleLacked), hue,
                          lightness);
     if (!GRASS_VEGETATION) return BladeColor(own, vec3(1.0));
-    vec4 paint = textureLod(vegetationMap, uv * field.vegetationTiling, 0.0);
+    vec4 paint = textureLod(vegetationMap, paintAt(uv), 0.0);
     vec3 painted = mix(own, paint.rgb, paint.a);
     return BladeColor(painted, paintScatters(own, painted, species.translucency, species.recollision));
 }
@@ -58,9 +79,7 @@ vec3 bladeGloss() { return vec3(species.translucency, species.gloss, species.rou
 float highAmong(Lit p) { return max(stoodUp(p.fromRoot, p.upright).y, 0.0); }
 // The species' density there, as a mean over so many metres.
 float densityOver(vec2 uv, float metres) {
-    return textureLod(densityMap, tiled(uv, field.species[species.index].tiling),
-                      levelOver(metres, textureSize(densityMap, 0)))
-        .r;
+    return textureLod(densityMap, densityAt(uv), levelOnMaps(metres, textureSize(densityMap, 0))).r;
 }
 // How dense it grows at the root, by the share of its height that it has.
 float grownAt(vec2 uv) { return (GRASS_DENSITY ? densityOver(uv, 0.0) : 1.0) * bladeShare(uv); }
@@ -89,7 +108,7 @@ float densityTowards(Lit p, vec2 uv, vec3 towards) {
     if (!GRASS_DENSITY) return p.density;
     float level = max(length(towards.xz), 1e-4), free = max(species.maskHeight - highAmong(p), 0.0),
           across = min(species.maskReach, 0.5 * free * level / max(riseOver(towards, p.slope), 1e-4));
-    vec2 at = uv + towards.xz * (across / level) * frame.mapShare;
+    vec2 at = uv + onMaps(towards.xz * (across / level));
     return densityOver(at, across) * bladeShare(at) * p.stands;
 }
 // Where its height lies in the mask's.
@@ -97,7 +116,7 @@ float shareAmong(Lit p) { return highAmong(p) / max(species.maskHeight, 1e-4); }
 // The sun's light among blades there: what comes from blade to blade of its own species, too, by their part of all
 // leaves; what others and those that lie leave of it.
 OthersLight sunAmong(Lit p, vec2 uv, float density) {
-    vec3 sun = frame.sunDirection, over = overLevel(sun, p.slope);
+    vec3 sun = sunOverGround(), over = overLevel(sun, p.slope);
     OthersLight others = othersLight(uv, highAmong(p), sun, over.y);
     float lying = lyingLeave(p, uv, others.area);
     others.fill *= p.stands;
@@ -123,7 +142,8 @@ vec3 lampSends(Lit p, vec2 uv, LampHere l) {
 vec3 lampsOn(Lit p, vec2 uv) {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < lampCount(); ++i) {
-        LampHere l = lampReaching(i, p.position, vec3(0.0));
+        LampHere l = lampReaching(i, p.position, objectBelow());
+        l.direction = inAxes(l.direction);
         if (BLADE_SHADOWS && i < castingLamps())
             sum += lampSends(p, uv, l);
         else
@@ -147,7 +167,7 @@ vec3 sentAround(Lit p, vec3 falls) {
     float seen = 1e-4;
     for (int i = 0; i < 4; ++i) {
         p.normal = vec3(-p.normal.z, p.normal.y, p.normal.x);
-        float eye = dot(p.normal, p.toEye), facing = dot(p.normal, frame.sunDirection);
+        float eye = dot(p.normal, p.toEye), facing = dot(p.normal, sunWay());
         sum += abs(eye) * leafSent(falls, eye < 0.0 ? -facing : facing, TRANSLUCENCY ? species.translucency : 0.0);
         seen += abs(eye);
     }
@@ -156,27 +176,25 @@ vec3 sentAround(Lit p, vec3 falls) {
 // The sun on a blade; share: of haze.
 void sunBlade(Lit p, vec2 uv, float share, inout BladeLight o) {
     if (!SUN) return;
-    vec3 left = p.color.scattered * sunVisible(p.position, vec3(0.0));
+    vec3 left = p.color.scattered * sunOnBlade(p.position, p.fromRoot);
     if (!(BLADE_SHADOWS && CASTING_LIGHTS)) {
         o.lit.rgb +=
-            leafLight(p.color.reflectance, bladeGloss(), p.normal, p.toEye, frame.sunDirection, frame.sunLight) * left *
-            p.open;
+            leafLight(p.color.reflectance, bladeGloss(), p.normal, p.toEye, sunWay(), frame.sunLight) * left * p.open;
         return;
     }
     if (frame.sunCasts > 0.0) {
-        p.density = densityTowards(p, uv, frame.sunDirection);
+        p.density = densityTowards(p, uv, sunOverGround());
         OthersLight among = sunAmong(p, uv, p.density);
         o.lit.rgb += p.color.reflectance * frame.sunLight * left * among.fill;
         left *= among.leave;
-        o.maskAt = maskFor(p.fromRoot, p.neighbours, p.upright, p.slope, frame.sunDirection);
-        left *= tracedDirect(overGround(p), overLevel(frame.sunDirection, p.slope), p.density);
+        o.maskAt = maskFor(p.fromRoot, p.neighbours, p.upright, p.slope, sunOverGround());
+        left *= tracedDirect(overGround(p), overLevel(sunAbove(), p.slope), p.density);
     } else {
         left *= p.open;
     }
     vec3 falls = p.color.reflectance * frame.sunLight * left;
-    o.sunward.x = dot(p.normal, frame.sunDirection);
-    if (GLOSS)
-        o.sunward.y = species.gloss * waxyLobe(p.normal, frame.sunDirection, p.toEye, species.roughness) * left.g;
+    o.sunward.x = dot(p.normal, sunWay());
+    if (GLOSS) o.sunward.y = species.gloss * waxyLobe(p.normal, sunWay(), p.toEye, species.roughness) * left.g;
     if (p.own < 1.0) {
         vec3 sent = sentAround(p, falls) + frame.sunLight * o.sunward.y;
         o.lit.rgb += sent * ((1.0 - p.own) * (frame.sunCasts > 0.0 ? maskMean(o.maskAt, p.density) : 1.0));
@@ -192,8 +210,7 @@ BladeLight lightBlade(Lit p, vec2 uv) {
     if (GRASS_HEIGHTS) p.density *= bladeShare(uv);
     p.stands = standing(p, uv);
     vec3 around = p.color.reflectance * p.color.scattered * tracedAmbient(p.normal, overGround(p));
-    float sky =
-        skyShare(uv) * skyOnGrassPastTrees(p.position) * p.open * (BLADE_SHADOWS ? othersLeft(p, uv, vec3(0.0)) : 1.0);
+    vec3 sky = skyShare(uv) * skyOnBlade(p.position) * p.open * (BLADE_SHADOWS ? othersLeft(p, uv, vec3(0.0)) : 1.0);
     o.lit = vec4(around * sky + lampsOn(p, uv), share);
     sunBlade(p, uv, share, o);
     if (FOG || ATMOSPHERE) o.lit.rgb = mix(o.lit.rgb, hazeColor(p.position), share);

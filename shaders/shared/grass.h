@@ -109,6 +109,17 @@ struct CellInstance {
     float unused;  // keeps the size a multiple of 8 bytes, as shaders have it
 };
 
+// A blade that stands on an object (grass/mesh_geometry.h), in the mesh's own lengths.
+struct MeshBladeRoot {
+    vec3 position;
+    uint blade;  // of the patch; MIRRORED_ROOT: the bitangent is the other way round
+    uvec2 turn;  // as two by two packSnorm2x16: the quaternion that turns x, y, z to tangent, normal, bitangent
+    uvec2 bend;  // packHalf2x16: curvature as CarrierVertex has it, and last the density of the place
+    vec2 uv;
+    ivec2 cell;
+};
+#define MIRRORED_ROOT 0x80000000u
+
 #ifdef __cplusplus
 }
 #endif

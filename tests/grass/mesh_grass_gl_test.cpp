@@ -8,6 +8,7 @@
 #include "core/log.h"
 #include "fields.h"
 #include "grass/mesh_grass_settings.h"
+#include "mesh_grass_scenes.h"
 #include "objects.h"
 #include "pixels.h"
 #include "project/project_files.h"
@@ -18,58 +19,6 @@
 namespace sward::test {
 namespace {
 
-// Soil, and a field of green blades that grows where it is told.
-Project meadow(const TempDir& dir) {
-    Project p = lawn();
-    p.dir = dir.path;
-    FlatField f = flatField(p);
-    f.technique = nameOf(Technique::Raytraced);
-    f.species[0].bladesPerM2 = 5000, f.species[0].height = 0.08f, f.species[0].width = 0.006f;
-    f.sliceWidth = f.farSize = 128, f.sliceHeight = 32, f.slices = 10;
-    p.registry.get<Terrain>(findEntity(p, "ground"))->groundColor = {0.2f, 0.05f, 0.05f};
-    p.registry.remove<Fog>(findEntity(p, "haze"));
-    return p;
-}
-Project onMesh(const TempDir& dir, Solid solid, const glm::dvec3& at = {10, 0, 10}) {
-    Project p = meadow(dir);
-    flatField(p).grows.onTerrain = false;
-    solid.color = {0.2f, 0.05f, 0.05f};
-    putObject(p, "rock", {solid}, at);
-    put<MeshGrass>(p, "rock");
-    return p;
-}
-const Solid kBall{.kind = SolidKind::Ball, .size = {0.5f, 0.5f, 0.5f}, .at = {0, 0.6f, 0}, .unwrap = true};
-const Solid kPlate{.size = {20, 0.02f, 20}, .unwrap = true};
-
-ViewSettings meshSized(int width = 160, int height = 120, int msaa = 4) {
-    ViewSettings s;
-    s.width = width, s.height = height, s.msaa = msaa;
-    return s;
-}
-ViewCamera atBall() { return {{10, 1.1, 8}, {10, 0.6, 10}, 45, 0}; }
-
-std::vector<float> picture(const Project& p, const ViewCamera& camera, const ViewSettings& settings = meshSized()) {
-    Renderer r(gpu(), tables());
-    const Status drawn = r.draw(p, camera, settings);
-    EXPECT_TRUE(drawn) << (drawn ? "" : drawn.error().text());
-    return r.readLinear();
-}
-std::vector<float> truth(const Project& p, const ViewCamera& camera) {
-    JobControl control;
-    const auto scene = ReferenceScene::make(p, tables(), 0, control);
-    EXPECT_TRUE(scene) << scene.error().text();
-    ReferenceSettings settings;
-    settings.width = 160, settings.height = 120, settings.samples = 8;
-    return scene->trace(camera, settings, control)->color;
-}
-
-// Pixels of sky in one picture and not in the other, as a share of those that are no sky in the first.
-double skyExchanged(const std::vector<float>& a, const std::vector<float>& b) {
-    const auto isSky = [](const std::vector<float>& image, size_t i) { return image[i + 2] > 0.2f; };
-    double off = 0, all = 0;
-    for (size_t i = 0; i < a.size(); i += 3) off += isSky(a, i) != isSky(b, i), all += !isSky(b, i);
-    return off / all;
-}
 struct Box {
     int left, top, right, bottom;  // pixels
 };
@@ -86,7 +35,8 @@ TEST(MeshGrass, OnAPlateIsWhatTheTerrainsIs) {
     const TempDir dir;
     for (const ViewCamera& camera :
          {ViewCamera{{10, 0.6, 8.4}, {10, 0.05, 10}, 40, 0}, ViewCamera{{10, 2, 9}, {10, 0, 10}, 40, 0}}) {
-        const auto ground = picture(meadow(dir), camera), plate = picture(onMesh(dir, kPlate), camera);
+        const auto ground = meshPicture(meshMeadow(dir), camera),
+                   plate = meshPicture(grassOnMesh(dir, kGrassPlate), camera);
         std::printf("covered: terrain %.3f plate %.3f; bright: %.4f %.4f\n", covered(ground), covered(plate),
                     brightness(ground), brightness(plate));
         EXPECT_NEAR(covered(plate), covered(ground), 0.06);
@@ -97,11 +47,11 @@ TEST(MeshGrass, OnAPlateIsWhatTheTerrainsIs) {
 TEST(MeshGrass, OnABallCoversAndShinesAsItsTruth) {
     NoGlErrors errors;
     const TempDir dir;
-    const Project p = onMesh(dir, kBall);
+    const Project p = grassOnMesh(dir, kGrassBall);
     Project bald = snapshot(p, tables().components);
     bald.registry.remove<MeshGrass>(findEntity(bald, "rock"));
-    for (const ViewCamera& camera : {atBall(), ViewCamera{{11.5, 0.7, 11.2}, {10, 0.6, 10}, 45, 0}}) {
-        const auto rays = picture(p, camera), traced = truth(p, camera), none = picture(bald, camera);
+    for (const ViewCamera& camera : {viewOfBall(), ViewCamera{{11.5, 0.7, 11.2}, {10, 0.6, 10}, 45, 0}}) {
+        const auto rays = meshPicture(p, camera), traced = meshTruth(p, camera), none = meshPicture(bald, camera);
         std::printf("covered: truth %.3f rays %.3f none %.3f; bright: %.4f %.4f %.4f\n", covered(traced), covered(rays),
                     covered(none), brightness(traced), brightness(rays), brightness(none));
         EXPECT_GT(covered(traced) - covered(none), 0.05) << "the ball is seen";
@@ -114,12 +64,12 @@ TEST(MeshGrass, OnABallCoversAndShinesAsItsTruth) {
 TEST(MeshGrass, StandsOutAgainstTheSkyAtTheOutline) {
     NoGlErrors errors;
     const TempDir dir;
-    Project p = onMesh(dir, kBall, {10, 5, 10});
+    Project p = grassOnMesh(dir, kGrassBall, {10, 5, 10});
     p.registry.get<StaticMesh>(findEntity(p, "rock"))->onGround = false;
     const ViewCamera camera{{10, 5, 8}, {10, 5.6, 10}, 45, 0};
     Project bald = snapshot(p, tables().components);
     bald.registry.remove<MeshGrass>(findEntity(bald, "rock"));
-    const auto rays = picture(p, camera), none = picture(bald, camera), traced = truth(p, camera);
+    const auto rays = meshPicture(p, camera), none = meshPicture(bald, camera), traced = meshTruth(p, camera);
     // Pixels that show sky without the grass, and no sky with it.
     const auto standing = [&](const std::vector<float>& with) {
         size_t n = 0;
@@ -142,14 +92,14 @@ TEST(MeshGrass, ClosesARoughOutlineAsItsTruth) {
                      .rough = 0.2f,
                      .seed = 52,
                      .unwrap = true};
-    const Project p = onMesh(dir, rock);
+    const Project p = grassOnMesh(dir, rock);
     Project other = snapshot(p, tables().components);
     flatField(other).grows.seed = 77;
     for (const ViewCamera& camera :
          {ViewCamera{{10, 0.55, 8.3}, {10, 0.8, 10}, 45, 0}, ViewCamera{{8.4, 0.6, 9.2}, {10, 0.8, 10}, 45, 0}}) {
-        const auto traced = truth(p, camera);
-        const double rays = skyExchanged(picture(p, camera), traced),
-                     blades = skyExchanged(truth(other, camera), traced);
+        const auto traced = meshTruth(p, camera);
+        const double rays = skyExchanged(meshPicture(p, camera), traced),
+                     blades = skyExchanged(meshTruth(other, camera), traced);
         std::printf("sky and grass exchanged: %.4f of the rock; by other blades of the field: %.4f\n", rays, blades);
         EXPECT_LT(rays, 2.2 * blades);  // 3.4 and 2.6 where a ray does not know where it leaves the shell
     }
@@ -160,11 +110,11 @@ TEST(MeshGrass, ClosesARoughOutlineAsItsTruth) {
 TEST(MeshGrass, IsLitAsItsTruthOnTheSideThatTurnsFromTheSun) {
     NoGlErrors errors;
     const TempDir dir;
-    Project p = onMesh(dir, kBall, {10, 5, 10});  // its shadow on the ground is far away
+    Project p = grassOnMesh(dir, kGrassBall, {10, 5, 10});  // its shadow on the ground is far away
     p.registry.get<StaticMesh>(findEntity(p, "rock"))->onGround = false;
     sunOf(p).azimuthDeg = 150, sunOf(p).elevationDeg = 30;
     const ViewCamera camera{{10, 6.1, 8}, {10, 5.6, 10}, 45, 0};
-    const auto rays = picture(p, camera), traced = truth(p, camera);
+    const auto rays = meshPicture(p, camera), traced = meshTruth(p, camera);
     for (const Box& side : {Box{48, 50, 60, 75}, Box{68, 50, 92, 75}}) {
         const double here = green(rays, 160, side), wanted = green(traced, 160, side);
         std::printf("from column %d on: green of rays %.4f, of the truth %.4f\n", side.left, here, wanted);
@@ -176,11 +126,11 @@ TEST(MeshGrass, IsLitAsItsTruthOnTheSideThatTurnsFromTheSun) {
 TEST(MeshGrass, ShowsAsMuchInWidePixelsAsInFineOnes) {
     NoGlErrors errors;
     const TempDir dir;
-    Project p = onMesh(dir, {.size = {4, 0.02f, 4}, .unwrap = true});
+    Project p = grassOnMesh(dir, {.size = {4, 0.02f, 4}, .unwrap = true});
     flatField(p).species[0].bladesPerM2 = 9000, flatField(p).species[0].height = 0.12f;
     const ViewCamera camera{{10, 3, 3}, {10, 0.05, 10}, 20, 0};
-    const double fine = green(picture(p, camera, meshSized(320, 240)), 320, {80, 80, 240, 200}),
-                 wide = green(picture(p, camera, meshSized(64, 48)), 64, {16, 16, 48, 40});
+    const double fine = green(meshPicture(p, camera, meshSized(320, 240)), 320, {80, 80, 240, 200}),
+                 wide = green(meshPicture(p, camera, meshSized(64, 48)), 64, {16, 16, 48, 40});
     std::printf("green: %.4f, in pixels five times as wide %.4f\n", fine, wide);
     EXPECT_NEAR(wide / fine, 1, 0.08);
 }
@@ -189,7 +139,7 @@ TEST(MeshGrass, ShowsAsMuchInWidePixelsAsInFineOnes) {
 TEST(MeshGrass, EndsWhereItsSurfaceDoes) {
     NoGlErrors errors;
     const TempDir dir;
-    Project p = onMesh(dir, {.size = {2, 0.1f, 1}, .turnDeg = {-25, 0, 0}, .unwrap = true}, {10, 5, 10});
+    Project p = grassOnMesh(dir, {.size = {2, 0.1f, 1}, .turnDeg = {-25, 0, 0}, .unwrap = true}, {10, 5, 10});
     p.registry.get<StaticMesh>(findEntity(p, "rock"))->onGround = false;
     Map above({48, 48, 1, PixelType::U8});  // the face that looks up is the first of the second row of squares
     for (int y = 16; y < 32; ++y)
@@ -198,8 +148,9 @@ TEST(MeshGrass, EndsWhereItsSurfaceDoes) {
     Project other = snapshot(p, tables().components);
     flatField(other).grows.seed = 77;
     const ViewCamera camera{{10, 4.8, 7}, {10, 5.2, 10}, 45, 0};
-    const auto traced = truth(p, camera);
-    const double rays = skyExchanged(picture(p, camera), traced), blades = skyExchanged(truth(other, camera), traced);
+    const auto traced = meshTruth(p, camera);
+    const double rays = skyExchanged(meshPicture(p, camera), traced),
+                 blades = skyExchanged(meshTruth(other, camera), traced);
     std::printf("sky and grass exchanged: %.4f of the roof; by other blades of the field: %.4f\n", rays, blades);
     EXPECT_LT(rays, 2.2 * blades);
 }
@@ -207,10 +158,10 @@ TEST(MeshGrass, EndsWhereItsSurfaceDoes) {
 TEST(MeshGrass, SurroundsAnEyeWithinIt) {
     NoGlErrors errors;
     const TempDir dir;
-    const Project p = onMesh(dir, kBall);
+    const Project p = grassOnMesh(dir, kGrassBall);
     for (const glm::dvec3& target : {glm::dvec3(10, 1.12, 12), glm::dvec3(12, 1.0, 11), glm::dvec3(9, 1.4, 9)}) {
         const ViewCamera camera{{10, 1.13, 10}, target, 60, 0};
-        const auto rays = picture(p, camera), traced = truth(p, camera);
+        const auto rays = meshPicture(p, camera), traced = meshTruth(p, camera);
         std::printf("covered: truth %.3f rays %.3f; bright: %.3f %.3f\n", covered(traced), covered(rays),
                     brightness(traced), brightness(rays));
         EXPECT_GT(covered(traced), 0.1);
@@ -221,16 +172,16 @@ TEST(MeshGrass, SurroundsAnEyeWithinIt) {
 TEST(MeshGrass, FollowsTheMapsOfItsMesh) {
     NoGlErrors errors;
     const TempDir dir;
-    Project p = onMesh(dir, kPlate);
+    Project p = grassOnMesh(dir, kGrassPlate);
     const ViewCamera camera{{10, 0.8, 8.6}, {10, 0.05, 10}, 40, 0};
-    const double all = covered(picture(p, camera));
+    const double all = covered(meshPicture(p, camera));
     put(p, "rock", MeshGrass{.density = field(filled({16, 16, 1, PixelType::U8}, 0))});
-    const double bare = covered(picture(p, camera));
+    const double bare = covered(meshPicture(p, camera));
     put(p, "rock", MeshGrass{.density = field(filled({16, 16, 1, PixelType::U8}, 0.4f))});
-    const double some = covered(picture(p, camera));
-    Project level = meadow(dir);
+    const double some = covered(meshPicture(p, camera));
+    Project level = meshMeadow(dir);
     flatField(level).species[0].density = field(filled({16, 16, 1, PixelType::U8}, 0.4f));
-    const double asLevel = covered(picture(level, camera));
+    const double asLevel = covered(meshPicture(level, camera));
     std::printf("covered at density 1, 0.4, 0: %.3f %.3f %.3f; on level ground at 0.4: %.3f\n", all, some, bare,
                 asLevel);
     EXPECT_LT(bare, 0.002);
@@ -241,20 +192,20 @@ TEST(MeshGrass, FollowsTheMapsOfItsMesh) {
     for (int y = 0; y < 16; ++y)
         for (int x = 0; x < 16; ++x) red.set(x, y, 0, 0.7f), red.set(x, y, 3, 1);
     put(p, "rock", MeshGrass{.vegetation = field(red)});
-    EXPECT_LT(covered(picture(p, camera)), 0.02);
+    EXPECT_LT(covered(meshPicture(p, camera)), 0.02);
     // Leaning grass is another picture.
-    Project lean = onMesh(dir, kPlate);
+    Project lean = grassOnMesh(dir, kGrassPlate);
     flatField(lean).species[0].leanDeg = 45;
-    const auto upright = picture(lean, camera);
+    const auto upright = meshPicture(lean, camera);
     put(lean, "rock", MeshGrass{.orientation = field(filled({16, 16, 2, PixelType::U16}, 0.9f))});
-    EXPECT_NE(picture(lean, camera), upright);
+    EXPECT_NE(meshPicture(lean, camera), upright);
 }
 
 // Views along axes, straight down, from within the shell, from behind, at the poles and the seams.
 TEST(MeshGrass, HasNoPixelThatIsNoNumberFromAnywhere) {
     NoGlErrors errors;
     const TempDir dir;
-    const Project p = onMesh(dir, kBall);
+    const Project p = grassOnMesh(dir, kGrassBall);
     Renderer r(gpu(), tables());
     std::mt19937 random(5);
     std::uniform_real_distribution<double> unit(-1, 1);
@@ -277,13 +228,13 @@ TEST(MeshGrass, HasNoPixelThatIsNoNumberFromAnywhere) {
 
 TEST(MeshGrass, NeedsNoSecondBakeAndSharesImagesWithTheTerrains) {
     const TempDir dir;
-    Project p = meadow(dir);
+    Project p = meshMeadow(dir);
     Renderer r(gpu(), tables());
-    ASSERT_TRUE(r.draw(p, atBall(), meshSized()));
+    ASSERT_TRUE(r.draw(p, viewOfBall(), meshSized()));
     const auto before = gpu().ledger;
-    putObject(p, "rock", {kBall}, {10, 0, 10});
+    putObject(p, "rock", {kGrassBall}, {10, 0, 10});
     put<MeshGrass>(p, "rock");
-    ASSERT_TRUE(r.draw(p, atBall(), meshSized()));
+    ASSERT_TRUE(r.draw(p, viewOfBall(), meshSized()));
     for (const char* owner : {"grass/slices", "grass/far"})
         EXPECT_EQ(gpu().ledger.at(owner), before.at(owner)) << owner;
     EXPECT_GT(gpu().ledger.at("grass/mesh-grass"), 0);
@@ -292,9 +243,9 @@ TEST(MeshGrass, NeedsNoSecondBakeAndSharesImagesWithTheTerrains) {
 TEST(MeshGrass, KeepsNothingOfASunThatIsRemoved) {
     NoGlErrors errors;
     const TempDir dir;
-    Project p = onMesh(dir, kBall);
+    Project p = grassOnMesh(dir, kGrassBall);
     const auto bytes = [&](Renderer& r) {
-        EXPECT_TRUE(r.draw(p, atBall(), meshSized()));
+        EXPECT_TRUE(r.draw(p, viewOfBall(), meshSized()));
         return gpu().ledger.at("grass/mesh-grass");
     };
     auto had = std::make_unique<Renderer>(gpu(), tables());
@@ -310,54 +261,56 @@ TEST(MeshGrass, KeepsNothingOfASunThatIsRemoved) {
 TEST(MeshGrass, OfAFieldThatLeavesTheTerrainReadsNoneOfItsMaps) {
     NoGlErrors errors;
     const TempDir dir;
-    Project p = meadow(dir);
+    Project p = meshMeadow(dir);
     FlatField f = flatField(p);
     f.drawing.bakeLight = BakeLight::Local;  // what it reads is in the ledger in any light
     f.species[0].density = field(filled({16, 16, 1, PixelType::U8}, 0.8f), "maps/d.png");
     f.vegetation = field(filled({16, 16, 4, PixelType::U8}, 0.4f), "maps/v.png");
     f.orientation = field(filled({16, 16, 2, PixelType::U16}, 0.8f), "maps/o.png");
-    putObject(p, "rock", {kBall}, {10, 0, 10});
+    putObject(p, "rock", {kGrassBall}, {10, 0, 10});
     put<MeshGrass>(p, "rock");
     Renderer r(gpu(), tables());
-    ASSERT_TRUE(r.draw(p, atBall(), meshSized(64, 48, 1)));
+    ASSERT_TRUE(r.draw(p, viewOfBall(), meshSized(64, 48, 1)));
     f.grows.onTerrain = false;
-    for (int i = 0; i < 3; ++i) ASSERT_TRUE(r.draw(p, atBall(), meshSized(64, 48, 1)));
+    for (int i = 0; i < 3; ++i) ASSERT_TRUE(r.draw(p, viewOfBall(), meshSized(64, 48, 1)));
     EXPECT_FALSE(gpu().ledger.contains("grass/vegetation") && gpu().ledger.at("grass/vegetation") > 0);
 }
 
-TEST(MeshGrass, SaysWhatItFollowsAndThatNoTechniqueChangesIt) {
+TEST(MeshGrass, SaysWhatItFollowsAndThatOnlyTechniquesOfBladesChangeIt) {
     const TempDir dir;
-    Project p = onMesh(dir, kBall);
+    Project p = grassOnMesh(dir, kGrassBall);
     put<Wind>(p, "wind");
     put<ForceSource>(p, "stone");
     put(p, "stone", Transform{{10, 0, 8}});
     Renderer r(gpu(), tables());
-    ASSERT_TRUE(r.draw(p, atBall(), meshSized()));
+    ASSERT_TRUE(r.draw(p, viewOfBall(), meshSized()));
     const std::string told = r.explain(p, false);
-    EXPECT_NE(told.find("whatever technique draws the field over the terrain"), std::string::npos) << told;
+    EXPECT_NE(told.find("rays through slices, but for blades that are drawn one by one"), std::string::npos) << told;
     EXPECT_NE(told.find("grass on meshes is not pressed"), std::string::npos) << told;
     EXPECT_EQ(told.find("grass/far:"), std::string::npos) << "nothing grows on the terrain";
+    const auto rays = meshPicture(p, viewOfBall(), meshSized(64, 48, 1));
     for (const char* technique : kTechniqueNames) {
         flatField(p).technique = technique;
-        EXPECT_EQ(picture(p, atBall(), meshSized(64, 48, 1)).size(), 64u * 48 * 3);
+        const bool blades = technique == nameOf(Technique::Hybrid) || technique == nameOf(Technique::Geometry);
+        EXPECT_EQ(meshPicture(p, viewOfBall(), meshSized(64, 48, 1)) == rays, !blades) << technique;
     }
 }
 
 TEST(MeshGrass, OnAMeshWithoutTextureCoordinatesIsRefusedByCheckAndToldOnceWhenDrawn) {
     NoGlErrors errors;
     const TempDir dir;
-    Solid ball = kBall;
+    Solid ball = kGrassBall;
     ball.unwrap = false;
-    Project p = onMesh(dir, ball);
+    Project p = grassOnMesh(dir, ball);
     ASSERT_TRUE(saveProject(p, tables().components));
     const CheckReport report = checkProject(dir.path, tables().components);
     ASSERT_EQ(report.refused.size(), 1u);
     EXPECT_NE(report.refused[0].text().find("rock.glb has no texture coordinates"), std::string::npos);
     Renderer r(gpu(), tables());
-    ASSERT_TRUE(r.draw(p, atBall(), meshSized()));
-    ASSERT_TRUE(r.draw(p, atBall(), meshSized()));
+    ASSERT_TRUE(r.draw(p, viewOfBall(), meshSized()));
+    ASSERT_TRUE(r.draw(p, viewOfBall(), meshSized()));
     // Half of it: a part that is unwrapped beside one that is not.
-    putObject(p, "rock", {kBall, {.size = {0.2f, 1.4f, 0.2f}}}, {10, 0, 10});
+    putObject(p, "rock", {kGrassBall, {.size = {0.2f, 1.4f, 0.2f}}}, {10, 0, 10});
     ASSERT_TRUE(saveProject(p, tables().components));
     const CheckReport half = checkProject(dir.path, tables().components);
     EXPECT_TRUE(half.refused.empty());
