@@ -4,7 +4,7 @@
 #include <array>
 
 #include "core/numerics.h"
-#include "reference/surface.h"
+#include "scene/tiling.h"
 
 namespace sward {
 namespace {
@@ -75,7 +75,8 @@ std::optional<MeshRoot> plant(const CellSowing& s, const TriangleInPatch& corner
     MeshRoot r{};
     r.uv = glm::vec2((s.corner + glm::dvec2(inCell)) / s.p.uvLength);
     const MapField& density = s.p.on.grows->density;
-    r.density = density.present() ? paintedAt(density.map, glm::dvec2(r.uv), 1, false).x : 1.0f;
+    r.density =
+        density.present() ? tiledSample(density.map, {glm::dvec2(1), true}, double(r.uv.x), double(r.uv.y)) : 1.0f;
     r.sownAt = f32::thresholdIn(s.patch.blades[blade].threshold, s.patch.sown, s.chance);
     if (r.density < r.sownAt) return std::nullopt;
     r.position = mixed(s.p, part, w, &CarrierVertex::position), r.normal = mixed(s.p, part, w, &CarrierVertex::normal);

@@ -24,6 +24,7 @@ struct MeshPlanting {
 struct CellPart {
     int x, z;
     uint32_t triangle;
+    // That by which parts are sorted.
     auto cell() const { return std::pair(x, z); }
 };
 // Where a blade stands: what the carrier's corners have, mixed, in the mesh's own lengths; not made unit again.

@@ -4,6 +4,7 @@
 #include "lib/blade_light.glsl"
 #include "lib/frame.glsl"
 #include "lib/mirror.glsl"
+#include "lib/on_ground.glsl"
 #include "lib/strip.glsl"
 #include "numerics/basics.h"
 #include "numerics/blade.h"
@@ -40,11 +41,11 @@ void main() {
     vec3 fromRoot = f.position + f.side * (s.across * b.width * frame.widening);
     vec3 position = s.root + fromRoot;
     vec3 n = dot(f.normal, position) > 0.0 ? -f.normal : f.normal;  // the side that faces the eye
-    BladeLight light =
-        lightBlade(Lit(bladeColor(b.hue, b.lightness * lighter, s.v, lacked, s.uv), n, unitOr(-position, 1e-6, n),
-                       position, fromRoot, b.dither, pose.upright, groundSlope(s.ground, s.root.y, species.maskReach),
-                       mix(species.rootOpen, 1.0, s.v), s.density, 1.0, 1.0),
-                   s.uv);
+    BladeLight light = lightOnGround(
+        Lit(bladeColor(b.hue, b.lightness * lighter, s.v, lacked, s.uv), n, unitOr(-position, 1e-6, n), position,
+            fromRoot, b.dither, pose.upright, groundSlope(s.ground, s.root.y, species.maskReach),
+            mix(species.rootOpen, 1.0, s.v), s.density, 1.0, 1.0),
+        s.uv);
     lit = light.lit, sunned = light.sunned, sunward = light.sunward, maskAt = light.maskAt;
     // The sun's shade is looked up as high as the curve lies in the mean.
     maskAt.y += inFullHeight(overChords(pose, quads), s.uv).y / max(species.maskHeight, 1e-4);

@@ -1,11 +1,11 @@
 // One vertex of one blade that stands on an object: posed in the axes of the surface at its root as it would be on
 // level ground, and lit there (lib/on_mesh.glsl). Boulanger, Pattanaik and Bouatouch 2006, sections 3.1-3.5.
-#define ON_MESH
 #include "lib/blade.glsl"
 #include "lib/blade_light.glsl"
 #include "lib/field.glsl"
 #include "lib/frame.glsl"
 #include "lib/mirror.glsl"
+#include "lib/on_mesh.glsl"
 #include "lib/wind.glsl"
 #include "numerics/basics.h"
 #include "numerics/blade.h"
@@ -60,17 +60,19 @@ BladeStand standOn(MeshBladeRoot r, vec2 inCell) {
     s.clumpLightness = species.clumpLightness;
     return s;
 }
-vec2 leantBy(vec2 blown) { return (onMesh.toField * vec3(blown.x, 0.0, blown.y)).xz; }
+vec2 leantBy(vec2 blown, mat3 toField) { return (toField * vec3(blown.x, 0.0, blown.y)).xz; }
 
-void setPlace(mat3 axes, vec3 foot, vec3 bend) {
-    onMesh.toField = transpose(axes);
-    onMesh.normal = axes[1];
-    onMesh.foot = foot;
-    onMesh.uvLength = uvLength;
-    onMesh.sun = onMesh.toField * frame.sunDirection;
-    onMesh.sunBend = max(bendTo(bend, onMesh.sun, 4.0 / max(species.maskHeight, 1e-4)), 0.0);
+OnMesh onMeshAt(mat3 axes, vec3 foot, vec3 bend) {
+    OnMesh on;
+    on.toField = transpose(axes);
+    on.normal = axes[1];
+    on.foot = foot;
+    on.uvLength = uvLength;
+    on.sun = on.toField * frame.sunDirection;
+    on.sunBend = max(bendTo(bend, on.sun, 4.0 / max(species.maskHeight, 1e-4)), 0.0);
     // Half of the leaves stand below half of the height.
-    onMesh.sunOver = sunOverLevel(onMesh.sun, onMesh.sunBend, 0.5 * species.maskHeight);
+    on.sunOver = sunOverLevel(on.sun, on.sunBend, 0.5 * species.maskHeight);
+    return on;
 }
 
 void main() {
@@ -98,20 +100,21 @@ void main() {
     if (!(opacity > 0.0 && wider > 0.0)) return;
 
     mat3 axes = axesOf(r);
-    setPlace(axes, foot, vec3(unpackHalf2x16(r.bend.x), bendAndDensity.x) / scale);
+    OnMesh on = onMeshAt(axes, foot, vec3(unpackHalf2x16(r.bend.x), bendAndDensity.x) / scale);
     CellVersion version = cellVersion(r.cell.x, r.cell.y, species.seed);
     BladeStand stand = standOn(r, rootInCell(b.root, version.mirror, version.shift, species.cellSize));
     float gusts = field.species[species.index].gusts;
-    stand.wind = leantBy(windLeanAt(foot.xz, b.dither, gusts));
+    stand.wind = leantBy(windLeanAt(foot.xz, b.dither, gusts), on.toField);
     BladeLean lean = leanOf(stand, b.facing * version.mirror);
     BladePose pose = poseBlade(b.control, b.tip, b.facing, version.mirror, lean.lean, lean.scale);
     float lacked = middleLacked(quads);
     float width = b.width * wider * frame.widening;
     BladeFrame f = bladeFrameFacing(pose.control, pose.tip, pose.facing, v);
     vec3 fromRoot = f.position + f.side * (across * width);
-    vec3 position = foot + axes * fromRoot, toEye = inAxes(-position);
+    vec3 position = foot + axes * fromRoot, toEye = on.toField * -position;
     vec3 n = dot(f.normal, toEye) < 0.0 ? -f.normal : f.normal;  // the side that faces the eye
-    BladeLight light = lightBlade(
+    BladeLight light = lightOnMesh(
+        on,
         Lit(bladeColor(b.hue, b.lightness * lean.lighter, v, lacked, r.uv), n, unitOr(toEye, 1e-6, n), position,
             fromRoot, b.dither, pose.upright, vec2(0.0), mix(species.rootOpen, 1.0, v), bendAndDensity.y, 1.0, 1.0),
         r.uv);
@@ -122,7 +125,7 @@ void main() {
     strip = vec3(across + 0.5, v, opacity);
     grain = floatBitsToUint(b.dither);
     if (TEMPORAL) {
-        stand.wind = leantBy(windLeanBefore(foot.xz, b.dither, gusts));
+        stand.wind = leantBy(windLeanBefore(foot.xz, b.dither, gusts), on.toField);
         BladeLean was = leanOf(stand, b.facing * version.mirror);
         BladePose before = poseBlade(b.control, b.tip, b.facing, version.mirror, was.lean, was.scale);
         BladeFrame g = bladeFrameFacing(before.control, before.tip, before.facing, v);

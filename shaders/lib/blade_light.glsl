@@ -1,7 +1,7 @@
 // How a point of a blade is coloured and lit: all that the fragment does not decide (lib/blade_pixel.glsl).
 // Needs: const bool GRASS_VEGETATION, GRASS_HEIGHTS, SUN, FOG, ATMOSPHERE, BLADE_SHADOWS, CASTING_LIGHTS. hue,
-// lightness: as numerics/population.h bladeTint takes them; uv: of the root (mapPlace). ON_MESH is defined where blades
-// stand on an object: then directions are in the axes of its surface, and lib/on_mesh.glsl says what is other there.
+// lightness: as numerics/population.h bladeTint takes them; uv: of the root (mapPlace). Directions are in the axes in
+// which blades stand: the world's on the ground (lib/on_ground.glsl), the surface's on objects (lib/on_mesh.glsl).
 #include "lib/blade.glsl"
 #include "lib/field.glsl"
 #include "lib/density.glsl"
@@ -12,32 +12,27 @@
 #include "lib/light.glsl"
 #include "lib/mask.glsl"
 #include "lib/others.glsl"
-#include "lib/shadow.glsl"
 #include "lib/traced.glsl"
 #include "numerics/basics.h"
 #include "numerics/lying.h"
 #include "numerics/population.h"
 #include "numerics/slope.h"
 
-#ifdef ON_MESH
-#include "lib/on_mesh.glsl"
-#else
-// A direction of the world in the axes in which blades stand; the sun's, that as traced light takes it, and as masks
-// do.
-vec3 inAxes(vec3 way) { return way; }
-vec3 sunWay() { return frame.sunDirection; }
-vec3 sunAbove() { return frame.sunDirection; }
-vec3 sunOverGround() { return frame.sunDirection; }
-// Metres over the ground as a step on maps, and where they are read.
-vec2 onMaps(vec2 metres) { return metres * frame.mapShare; }
-vec2 densityAt(vec2 uv) { return tiled(uv, field.species[species.index].tiling); }
-vec2 paintAt(vec2 uv) { return uv * field.vegetationTiling; }
-float levelOnMaps(float metres, ivec2 size) { return levelOver(metres, size); }
-// Normal of the object below, 0 on the ground; of the sun's light and the sky's, what is left past what stands there.
-vec3 objectBelow() { return vec3(0.0); }
-float sunOnBlade(vec3 position, vec3 fromRoot) { return sunVisible(position, vec3(0.0)); }
-vec3 skyOnBlade(vec3 position) { return vec3(skyOnGrassPastTrees(position)); }
-#endif
+// By lib/on_ground.glsl or lib/on_mesh.glsl: a direction of the world in the axes in which blades stand; the sun's,
+// that as traced light takes it, and as masks do.
+vec3 inAxes(vec3 way);
+vec3 sunWay();
+vec3 sunAbove();
+vec3 sunOverGround();
+// Metres over the ground as a step on maps; where density and paint are read; level of detail of so many metres.
+vec2 onMaps(vec2 metres);
+vec2 densityAt(vec2 uv);
+vec2 paintAt(vec2 uv);
+float levelOnMaps(float metres, ivec2 size);
+// Normal of the object below, 0 on the ground; what is left of the sun's light and of the sky's past what stands there.
+vec3 objectBelow();
+float sunOnBlade(vec3 position, vec3 fromRoot);
+vec3 skyOnBlade(vec3 position);
 
 // Reflectance; scattered: by how much it is brighter than that, where paint changes what goes from blade to blade.
 struct BladeColor {

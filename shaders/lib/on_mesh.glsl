@@ -1,6 +1,8 @@
 // How blades are lit that stand on an object (lib/blade_light.glsl): in the axes of its surface, past its own horizon.
-// Whoever lights one sets `onMesh` before.
+#include "lib/blade_light.glsl"
+#include "lib/light.glsl"
 #include "lib/mesh_sun.glsl"
+#include "lib/shadow.glsl"
 
 struct OnMesh {
     mat3 toField;       // from the world's axes to the surface's
@@ -31,4 +33,10 @@ float sunOnBlade(vec3 position, vec3 fromRoot) {
 vec3 skyOnBlade(vec3 position) {
     vec3 level = max(ambientLight(vec3(0.0, 1.0, 0.0)), vec3(1e-6));
     return ambientLight(onMesh.normal) / level * skyOnGrassPastTrees(position);
+}
+
+// on: of the blade.
+BladeLight lightOnMesh(OnMesh on, Lit p, vec2 uv) {
+    onMesh = on;
+    return lightBlade(p, uv);
 }

@@ -3,6 +3,7 @@
 #include "lib/blade.glsl"
 #include "lib/blade_light.glsl"
 #include "lib/frame.glsl"
+#include "lib/on_ground.glsl"
 #include "lib/straight.glsl"
 #include "numerics/basics.h"
 #include "numerics/blade.h"
@@ -96,10 +97,10 @@ BladeLight lightPoint(TessBlade t, float v, out vec3 shown) {
     vec3 position = t.root + f.position;
     shown = dot(f.normal, position) > 0.0 ? -f.normal : f.normal;
     float lacked = t.level > 1 ? middleLacked(t.level) : 0.0;
-    return lightBlade(Lit(bladeColor(t.hue, t.lightness, v, lacked, t.uv), shown, unitOr(-position, 1e-6, shown),
-                          position, unlowered(t, f.position), uintBitsToFloat(t.grain), t.pose.upright, t.slope,
-                          mix(species.rootOpen, 1.0, v), t.density, 1.0, t.own),
-                      t.uv);
+    return lightOnGround(Lit(bladeColor(t.hue, t.lightness, v, lacked, t.uv), shown, unitOr(-position, 1e-6, shown),
+                             position, unlowered(t, f.position), uintBitsToFloat(t.grain), t.pose.upright, t.slope,
+                             mix(species.rootOpen, 1.0, v), t.density, 1.0, t.own),
+                         t.uv);
 }
 // Light of the rows that the light of a blade of one quad is made of.
 struct StraightLights {

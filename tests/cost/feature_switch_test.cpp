@@ -95,8 +95,8 @@ TEST(FeatureSwitch, WhatASceneIsMadeOfHasNoRow) {
     for (const FeatureRow& row : featureRows())
         if (!canBeLeftOut(row.feature)) kept.insert(row.name);
     EXPECT_EQ(kept, (std::set<std::string>{"terrain", "terrain-heights", "grass", "grass-geometry", "grass-slices",
-                                           "grass-far", "grass-tessellated", "grass-raytraced", "forest-meshes",
-                                           "forest-volumes"}));
+                                           "grass-far", "grass-tessellated", "grass-raytraced", "grass-mesh-geometry",
+                                           "forest-meshes", "forest-volumes"}));
 }
 
 TEST(FeatureSwitch, ADroppedMapTakesItsLayersAlongAndPathsNoLongerActOnIt) {

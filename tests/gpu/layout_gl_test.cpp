@@ -16,6 +16,7 @@ namespace fs = std::filesystem;
 
 // Which struct a block holds, alone or in an array; "": words that are no struct.
 const std::map<std::string, std::string> kBlocks = {{"BladeBlock", "Blade"},
+                                                    {"RootBlock", "MeshBladeRoot"},
                                                     {"FeetBlock", "TreeInView"},
                                                     {"ForestBlock", "ForestGlobals"},
                                                     {"TilesBlock", "TileInView"},
