@@ -9,10 +9,10 @@ project.new()
 for _, name in ipairs(entity.list()) do entity.remove(name) end
 
 entity.add("ground", { Terrain = { beyond = "fade", size = { size, size }, groundColor = { 0.19, 0.18, 0.165 }, gridSpacing = 0.25, castShadows = true } })
--- Slices are sharper than by default: frames that add up smooth the grain. Blades of moss are drawn one by one only where
--- they are wider than a third of a pixel or so: there are 60,000 of them on a square metre.
+-- Slices are sharper than by default: frames that add up smooth the grain. Blades of moss, 60,000 on a square metre, are
+-- drawn one by one up to as far as those of the turf are, or a little less.
 entity.add("moss", { GrassField = {
-    onTerrain = false, minGeom = 1.2, maxGeom = 1.6, cellSize = 0.25, slices = 16, sharpness = 3, sliceWidth = 256, sliceHeight = 64, farSize = 256, seed = 3,
+    onTerrain = false, minGeom = 3, maxGeom = 3.5, cellSize = 0.25, slices = 16, sharpness = 3, sliceWidth = 256, sliceHeight = 64, farSize = 256, seed = 3,
     species = { {
         name = "moss", bladesPerM2 = 60000, height = 0.022, heightVariation = 0.4, width = 0.0022, bend = 0.35, leanDeg = 16,
         leanVariationDeg = 16, segments = 3, clumpSize = 0.07, clumpStrength = 0.6, translucency = 0.5, gloss = 0.2,
