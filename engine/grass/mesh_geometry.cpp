@@ -25,6 +25,7 @@ struct Piece {
     glm::vec3 low{1e30f}, high{-1e30f}, normal{0};  // of the roots
     float bend = 0;                                 // the most of them, away from the eye
     std::vector<float> chances = {};                // of its blades, ascending
+    bool edged = false;                             // some stand on a part of the surface that has an edge
     float leastFacing = 1;                          // cosine that a root's normal has with the mean, at least
 };
 // One species on a mesh.
@@ -95,6 +96,7 @@ struct Rooted {
     MeshBladeRoot root;
     glm::vec3 normal;
     float bend, chance;
+    bool edged;
 };
 // Neighbours are planted one after another. Within a piece in the order of the chances by which distance thins them.
 Piece pieceOf(std::span<Rooted> blades, size_t first) {
@@ -104,6 +106,7 @@ Piece pieceOf(std::span<Rooted> blades, size_t first) {
     for (const Rooted& r : blades) {
         p.low = glm::min(p.low, r.root.position), p.high = glm::max(p.high, r.root.position);
         p.normal += r.normal, p.bend = std::max(p.bend, r.bend);
+        p.edged = p.edged || r.edged;
     }
     p.normal /= std::max(glm::length(p.normal), 1e-6f);
     for (const Rooted& r : blades) p.chances.push_back(r.chance);
@@ -121,7 +124,7 @@ PlantedKind plantKind(DrawContext& ctx, const MeshPlanting& p, std::span<const C
     plantOn(p, cells, species, patch, JobControl{}, [&](const MeshRoot& r) {
         const double most = std::max(std::abs(r.bend.x), std::abs(r.bend.z)) + std::abs(r.bend.y);
         blades.push_back(
-            {packed(r), glm::vec3(glm::normalize(r.normal)), static_cast<float>(most), chanceOf(r, patch)});
+            {packed(r), glm::vec3(glm::normalize(r.normal)), static_cast<float>(most), chanceOf(r, patch), r.edged});
     });
     for (size_t first = 0; first < blades.size(); first += kPiece)
         out.pieces.push_back(pieceOf(std::span(blades).subspan(first, std::min(kPiece, blades.size() - first)), first));
@@ -134,14 +137,10 @@ PlantedKind plantKind(DrawContext& ctx, const MeshPlanting& p, std::span<const C
 
 PlantedBy plantedBy(const DrawContext& ctx, const GrassyMesh& on, const Field& field, const StaticMesh& mesh) {
     const GrassField& grows = field.grown->grows();
-    PlantedBy by{mesh.file,
-                 fileVersion(ctx.project.dir, mesh.file),
-                 on.field,
-                 on.grows->uvLength,
-                 mesh.scale,
-                 grows.cellSize,
-                 static_cast<int>(grows.seed),
-                 {}};
+    PlantedBy by{mesh.file,  fileVersion(ctx.project.dir, mesh.file),
+                 on.field,   on.grows->uvLength,
+                 mesh.scale, grows.cellSize,
+                 grows.seed, {}};
     for (const FieldSpecies& s : field.species) by.patches.push_back(s.grown->key);
     return by;
 }
@@ -164,7 +163,7 @@ void plant(DrawContext& ctx, PlantedMesh& m, const GrassyMesh& on, const Field& 
                         "are drawn by rays alone",
                         on.name, asked / 1e6, kMostDrawnOnMesh / 1e6));
     const auto cells = cellsOf(planting);
-    if (!cells) return logWarning(cells.error().text());
+    if (!cells) return logWarning(cells.error().text() + "; until then no blade is drawn there where it is near");
     for (size_t i = 0; i < field.species.size(); ++i)
         m.kinds.push_back(
             plantKind(ctx, planting, *cells, field.grown->grows().species[i], field.species[i].grown->patch));
@@ -186,13 +185,12 @@ void updatePatch(DrawContext& ctx, PatchMesh& m, const GrownSpecies& species, in
     m.indices = makeBuffer(ctx.gpu, kOwner, indices.size() * 4, indices.data());
 }
 
-// --- what a view draws
-// ------------------------------------------------------------------------------------------------- Whether blades of a
-// piece may be seen past the surface on which they stand: one that looks away from the eye shows them only where it
-// bends so that they look over it.
+// --- what a view draws ---------------------------------------------------------------------------------------------
+// Whether blades of a piece may be seen past the surface on which they stand: one that looks away from the eye shows
+// them only where it bends so that they look over it, or ends.
 bool looksHere(const Piece& p, const MeshPlace& place, const glm::vec3& centre, float radius, float height) {
     const float distance = glm::length(centre);
-    if (distance <= radius) return true;
+    if (p.edged || distance <= radius) return true;
     const float away = std::acos(std::clamp(glm::dot(place.turned(p.normal), -centre / distance), -1.0f, 1.0f)),
                 spread = std::acos(std::clamp(p.leastFacing, -1.0f, 1.0f)) + std::asin(radius / distance);
     return std::cos(std::max(away - spread, 0.0f)) > -(0.2f + std::sqrt(2 * height * p.bend / place.scale));

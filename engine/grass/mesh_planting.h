@@ -34,6 +34,7 @@ struct MeshRoot {
     int cellX, cellZ;
     glm::vec2 mirror;       // of the cell's version of the patch
     uint32_t blade;         // of the patch
+    bool edged;             // its part of the surface has an edge (CarrierVertex::part)
     float density, sownAt;  // of the place; the least at which the blade exists
 };
 

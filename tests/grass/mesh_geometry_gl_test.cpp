@@ -108,6 +108,34 @@ TEST(MeshGeometry, DrawsWhatIsNearInViewAndNotBehindItsMesh) {
     EXPECT_LT(bladesDrawn(r, p, {{10, 3, 0}, {10, 0.6, 10}, 45, 0}), near / 4);
 }
 
+// A roof whose grass looks away from the eye shows its tips over the ridge.
+TEST(MeshGeometry, StandsOverARidge) {
+    NoGlErrors errors;
+    const TempDir dir;
+    Project p = bladesOnMesh(dir, {.size = {2, 0.1f, 1}, .turnDeg = {-25, 0, 0}, .unwrap = true}, Technique::Geometry,
+                             {10, 5, 10});
+    p.registry.get<StaticMesh>(findEntity(p, "rock"))->onGround = false;
+    Map above({48, 48, 1, PixelType::U8});  // the face that looks up is the first of the second row of squares
+    for (int y = 16; y < 32; ++y)
+        for (int x = 0; x < 16; ++x) above.set(x, y, 0, 1);
+    put(p, "rock", MeshGrass{.density = field(above)});
+    const ViewCamera behind{{10, 5.1, 12}, {10, 5.25, 10}, 40, 0};
+    Renderer r(gpu(), tables());
+    EXPECT_GT(bladesDrawn(r, p, behind), 1000u);
+    const auto traced = meshTruth(p, behind), blades = meshPicture(p, behind);
+    put(p, "rock", MeshGrass{.density = field(filled({8, 8, 1, PixelType::U8}, 0))});
+    const auto bare = meshPicture(p, behind);
+    // Pixels of sky that grass hides.
+    const auto hidden = [&](const std::vector<float>& with) {
+        size_t n = 0;
+        for (size_t i = 2; i < with.size(); i += 3) n += bare[i] > 0.2f && with[i] < 0.6f * bare[i];
+        return static_cast<double>(n);
+    };
+    std::printf("pixels of grass over the ridge: truth %.0f, blades %.0f\n", hidden(traced), hidden(blades));
+    EXPECT_GT(hidden(traced), 50);
+    EXPECT_NEAR(hidden(blades) / hidden(traced), 1, 0.35);
+}
+
 TEST(MeshGeometry, FollowsItsMapsAsIfPlantedAnew) {
     NoGlErrors errors;
     const TempDir dir;
