@@ -153,10 +153,9 @@ void select(DrawContext& ctx) {
     if (!ctx.shared.grass) return;
     std::set<std::string> used;
     for (const GrassyMesh& on : grassyMeshes(ctx.project)) {
-        const PlacedMesh placed = placeMesh(ctx.project, on.entity);
-        used.insert(placed.mesh->file);
-        Shell shell{
-            .of = on, .carrier = &carrierIn(ctx, state, on, placed.mesh->file), .field = fieldNamed(ctx, on.field)};
+        const std::string& file = ctx.project.registry.get<StaticMesh>(on.entity)->file;
+        used.insert(file);
+        Shell shell{.of = on, .carrier = &carrierIn(ctx, state, on, file), .field = fieldNamed(ctx, on.field)};
         if (!shell.carrier->indexCount || !shell.field) continue;
         shell.place = placeOn(ctx, on.entity);
         const double uvLength = uvLengthOf(*on.grows, shell.carrier->shape, static_cast<double>(shell.place.scale));
