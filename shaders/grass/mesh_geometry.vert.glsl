@@ -70,7 +70,7 @@ OnMesh onMeshAt(mat3 axes, vec3 foot, vec3 bend) {
     on.uvLength = uvLength;
     on.sun = on.toField * frame.sunDirection;
     on.sunBend = max(bendTo(bend, on.sun, 4.0 / max(species.maskHeight, 1e-4)), 0.0);
-    // Half of the leaves stand below half of the height.
+    // Most leaves stand in the lower half of the mask's height: what lies higher keeps little light off.
     on.sunOver = sunOverLevel(on.sun, on.sunBend, 0.5 * species.maskHeight);
     return on;
 }

@@ -18,21 +18,18 @@
 #include "numerics/population.h"
 #include "numerics/slope.h"
 
-// By lib/on_ground.glsl or lib/on_mesh.glsl: a direction of the world in the axes in which blades stand; the sun's,
-// that as traced light takes it, and as masks do.
-vec3 inAxes(vec3 way);
-vec3 sunWay();
-vec3 sunAbove();
-vec3 sunOverGround();
-// Metres over the ground as a step on maps; where density and paint are read; level of detail of so many metres.
-vec2 onMaps(vec2 metres);
-vec2 densityAt(vec2 uv);
-vec2 paintAt(vec2 uv);
-float levelOnMaps(float metres, ivec2 size);
-// Normal of the object below, 0 on the ground; what is left of the sun's light and of the sky's past what stands there.
-vec3 objectBelow();
-float sunOnBlade(vec3 position, vec3 fromRoot);
-vec3 skyOnBlade(vec3 position);
+// What lib/on_ground.glsl and lib/on_mesh.glsl each define:
+vec3 inAxes(vec3 way);                        // a direction of the world, in the axes in which blades stand
+vec3 sunWay();                                // towards the sun, in these
+vec3 sunAbove();                              // as traced light takes it: never from below
+vec3 sunOverGround();                         // as shadow masks take it: where the ground bends away, less grazing
+vec2 onMaps(vec2 metres);                     // a step over the ground, as one on maps
+vec2 densityAt(vec2 uv);                      // where the map of densities is read for a root there
+vec2 paintAt(vec2 uv);                        // where the map of colours is
+float levelOnMaps(float metres, ivec2 size);  // level of detail of a map whose texels are so long
+vec3 objectBelow();                           // normal of the object on which a blade stands, unit; 0: it is the ground
+float sunOnBlade(vec3 position, vec3 fromRoot);  // share of the sun's light left by objects, hills and trees
+vec3 skyOnBlade(vec3 position);                  // the same of the sky's
 
 // Reflectance; scattered: by how much it is brighter than that, where paint changes what goes from blade to blade.
 struct BladeColor {
