@@ -24,6 +24,7 @@
 #include "post/far_blur.h"
 #include "post/map_overlay.h"
 #include "post/tonemap.h"
+#include "reference/object_light.h"
 #include "reference/traced_light.h"
 #include "sky/atmosphere.h"
 #include "sky/lamps.h"
@@ -43,9 +44,10 @@ std::span<const EffectRow> effectRows() {
         sunEffect(),          skyEffect(),           hazeEffect(),      atmosphereEffect(),
         lampsEffect(),  // light
         windEffect(),         gustsEffect(),         groundEffect(),    groundDepthEffect(),  shadeEffect(),
-        lampHillsEffect(),                                                                   // ground
-        meshEffect(),         scatterEffect(),       shadowEffect(),    lampShadowEffect(),  // objects
-        forestEffect(),       treesEffect(),         texcellsEffect(),                       // forest
+        lampHillsEffect(),  // ground
+        meshEffect(),         objectLightEffect(),   scatterEffect(),   shadowEffect(),
+        lampShadowEffect(),                                             // objects
+        forestEffect(),       treesEffect(),         texcellsEffect(),  // forest
         forcesEffect(),       forceOutlinesEffect(), maskEffect(),      tracedEffect(),       fieldEffect(),
         farDarkeningEffect(), uniqueEffect(),        geometryEffect(),  groundShadowEffect(), farEffect(),
         farShadowEffect(),    slicesEffect(),        raytracedEffect(), tessellatedEffect(),  meshGrassEffect(),

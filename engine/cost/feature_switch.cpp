@@ -49,6 +49,7 @@ constexpr FeatureSwitch kSwitches[] = {
     {Feature::GrassTraced, kDrawing, "bakeLight", "local"},
     {Feature::GroundShadows, kDrawing, "groundShadows", "false"},
     {Feature::Objects, kMesh, "file"},
+    {Feature::ObjectLight, kMesh, "bakeLight", "local"},
     {Feature::ObjectShadows, kMesh, "castShadows", "false"},
     {Feature::ObjectShadows, kScatter, "castShadows", "false"},
     {Feature::ObjectShadows, kForest, "castShadows", "false"},

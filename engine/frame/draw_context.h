@@ -56,6 +56,7 @@ struct GrassFields;   // grass/field.h
 struct MaskState;     // grass/mask.h
 struct TracedState;   // grass/traced.h
 struct ForestsState;  // forest/stand.h
+struct ObjectLight;   // frame/object_light.h
 struct AirTables;     // sky/air_tables.h
 struct Force;         // world/forces.h
 // The map around the eye in which forces add up, for passes that draw into it (grass/forces).
@@ -81,6 +82,7 @@ struct SharedByViews {
     const TracedState* traced = nullptr;
     GrownFields* grown = nullptr;
     ForestsState* forests = nullptr;
+    const ObjectLight* objectLight = nullptr;
     const AirTables* air = nullptr;  // of the sky's model "atmosphere"
     glm::vec3 skyTilt{0};            // how much brighter the sky is towards the horizon (sky/daylight.h)
     ForceTarget forceTarget;

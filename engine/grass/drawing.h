@@ -3,6 +3,7 @@
 // Source: Boulanger, Pattanaik and Bouatouch 2006, sections 3.2, 3.5 and 4.2.
 #pragma once
 #include "core/enum_names.h"
+#include "scene/components.h"
 #include "scene/rows.h"
 
 namespace sward {
@@ -17,17 +18,14 @@ inline bool blends(Transparency t) { return t == Transparency::Both || t == Tran
 enum class Culling { Auto, Cpu, Gpu };
 inline constexpr auto kCullings = enumNames<Culling>("auto", "cpu", "gpu");
 
-// How blades light each other: by their shadow mask and the depth below the tips alone; or by factors of light that
-// was traced through the species' blades.
-enum class BakeLight { Local, Traced };
-inline constexpr auto kBakeLights = enumNames<BakeLight>("local", "traced");
-
 struct GrassDrawing {
     Transparency transparency = Transparency::Coverage;
     Culling culling = Culling::Auto;
     float fade = 0.4f;          // omega: half the width of the opacity ramp over density; 0: a step
     int shadowMask = 64;        // texels around a blade of what shades it (section 3.5); 0: blades do not shade blades
     bool groundShadows = true;  // blades shade the ground
+    // How blades light each other: by their shadow mask and the depth below the tips alone; or by factors of light that
+    // was traced through the species' blades.
     BakeLight bakeLight = BakeLight::Traced;
 };
 

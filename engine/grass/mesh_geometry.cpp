@@ -5,6 +5,7 @@
 
 #include "core/log.h"
 #include "frame/draw_context.h"
+#include "frame/object_light.h"
 #include "grass/blade_list.h"
 #include "grass/field.h"
 #include "grass/mesh_planting.h"
@@ -66,6 +67,7 @@ struct KindDraw {
     MeshPlace place;
     MeshMaps maps;
     float uvLength;
+    uint32_t firstLight;                                    // number of the mesh's first vertex (frame/object_light.h)
     std::map<int, std::vector<DrawCommand>> commands = {};  // by quads of the strips
 };
 struct MeshGeometryView : EffectState {
@@ -88,6 +90,7 @@ MeshBladeRoot packed(const MeshRoot& r) {
     out.bend = {glm::packHalf2x16({bend.x, bend.y}), glm::packHalf2x16({bend.z, r.density})};
     out.uv = r.uv;
     out.cell = {r.cellX, r.cellZ};
+    out.corners = {r.corners[0], r.corners[1], r.corners[2], glm::packUnorm2x16(r.weights)};
     return out;
 }
 
@@ -233,7 +236,8 @@ void chooseOn(DrawContext& ctx, const PlantedMesh& m, const GrassyMesh& on, cons
         if (m.kinds[i].pieces.empty()) continue;
         PatchMesh& patch = ctx.own<PlantedMeshes>().patches.at(field.number, i);
         updatePatch(ctx, patch, *field.species[i].grown, field.grows().species[i].segments);
-        draws.push_back({&field, i, &m.kinds[i], &patch, place, maps, static_cast<float>(m.uvLength)});
+        draws.push_back({&field, i, &m.kinds[i], &patch, place, maps, static_cast<float>(m.uvLength),
+                         firstLightOf(ctx, on.entity)});
         choosePieces(ctx, draws.back());
     }
 }
@@ -288,6 +292,8 @@ bool begin(DrawContext& ctx, const MeshGeometryView& view, const KindDraw& d) {
     glUniform1f(4, d.uvLength);
     glUniform1f(6, pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings)));
     d.place.set();
+    glUniform1ui(14, d.firstLight);
+    bindObjectLight(ctx);
     return true;
 }
 
@@ -311,21 +317,22 @@ void draw(DrawContext& ctx) {
     endTransparency();
 }
 
-const System kSystems[] = {
-    {"grass/mesh-geometry/select", {.reads = {Slot::Grown, Slot::Grass, Slot::Ground, Slot::Masks}}, select}};
+const System kSystems[] = {{"grass/mesh-geometry/select",
+                            {.reads = {Slot::Grown, Slot::Grass, Slot::Ground, Slot::Masks, Slot::ObjectLight}},
+                            select}};
 const ProgramRow kPrograms[] = {
     {"grass/mesh-geometry", "grass/mesh_geometry.vert.glsl", "grass/blade.frag.glsl", nullptr, fieldVariants}};
 // After the rays (Stage::Slices), which take what stands in the depth for the surface.
-const Pass kPasses[] = {
-    {"grass/mesh-geometry",
-     Stage::Far,
-     kViewMain | kViewReflection,
-     {.reads = {Slot::Grass, Slot::Masks, Slot::Shadows, Slot::Lamps}, .appends = {Slot::SceneColor, Slot::SceneDepth}},
-     kPrograms,
-     draw,
-     featureSet(Feature::GrassBlended),
-     false,
-     true}};
+const Pass kPasses[] = {{"grass/mesh-geometry",
+                         Stage::Far,
+                         kViewMain | kViewReflection,
+                         {.reads = {Slot::Grass, Slot::Masks, Slot::Shadows, Slot::Lamps, Slot::ObjectLight},
+                          .appends = {Slot::SceneColor, Slot::SceneDepth}},
+                         kPrograms,
+                         draw,
+                         featureSet(Feature::GrassBlended),
+                         false,
+                         true}};
 const Follows kFollows[] = {{Feature::Wind, "blades bend and quiver each by itself"},
                             {Feature::Forces, "grass on meshes is not pressed"},
                             {Feature::ForceMap, "grass on meshes is not pressed"}};

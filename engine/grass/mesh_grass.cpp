@@ -2,6 +2,7 @@
 
 #include "core/log.h"
 #include "frame/draw_context.h"
+#include "frame/object_light.h"
 #include "grass/field.h"
 #include "grass/mesh_grass_settings.h"
 #include "grass/mesh_planting.h"
@@ -72,6 +73,10 @@ void describe(const VertexArray& array, const Buffer& vertices) {
         glVertexArrayAttribFormat(mesh, i, attributes[i].first, GL_FLOAT, GL_FALSE,
                                   static_cast<GLuint>(attributes[i].second));
     }
+    constexpr GLuint kOf = std::size(attributes);
+    glEnableVertexArrayAttrib(mesh, kOf);
+    glVertexArrayAttribBinding(mesh, kOf, 0);
+    glVertexArrayAttribIFormat(mesh, kOf, 1, GL_UNSIGNED_INT, offsetof(CarrierVertex, of));
 }
 
 GpuCarrier uploadCarrier(Gpu& gpu, const Mesh& mesh) {
@@ -174,8 +179,10 @@ void select(DrawContext& ctx) {
     writeGlobals(ctx, view);
 }
 
-void setPlace(const Shell& shell) {
+void setPlace(const DrawContext& ctx, const Shell& shell) {
     shell.place.set();
+    glUniform1ui(16, firstLightOf(ctx, shell.of.entity));
+    bindObjectLight(ctx);
     glBindVertexArray(shell.carrier->mesh.id());
 }
 
@@ -195,8 +202,8 @@ void bindFar(const SliceTextures& slices) {
 
 // Over the surface, in heights of the slices.
 void setLifted(float heights) { glUniform1f(14, heights); }
-void setShell(const Shell& shell) {
-    setPlace(shell);
+void setShell(const DrawContext& ctx, const Shell& shell) {
+    setPlace(ctx, shell);
     setLifted(1);
     glUniform1f(15, static_cast<float>(shell.firstPart));
 }
@@ -225,7 +232,7 @@ bool begin(DrawContext& ctx, const ShellView& view, const Shell& shell, bool ins
     glUniform1f(6, rays.footprint);
     glUniform1f(4, shell.uvLength);
     glUniform1f(5, view.endsAt);
-    setShell(shell);
+    setShell(ctx, shell);
     return true;
 }
 
@@ -290,7 +297,7 @@ void drawEnds(DrawContext& ctx, ShellView& view) {
     glCullFace(GL_FRONT);
     for (const Shell& shell : view.shells) {
         if (!shell.rays) continue;
-        setShell(shell);
+        setShell(ctx, shell);
         drawIndices(ctx, 0, shell.carrier->shape.surface);
     }
     glCullFace(GL_BACK);
@@ -342,7 +349,7 @@ void shade(DrawContext& ctx) {
         if (!ctx.use(0, {}, &shell.maps.features)) break;
         bindField(*shell.field);
         bindMaps(shell.maps);
-        setPlace(shell);
+        setPlace(ctx, shell);
         glUniform1f(4, shell.uvLength);
         for (size_t i = 0; shell.seen && i < shell.field->species.size(); ++i) {
             glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SLICES, view.globals.at(shell.field->number, i).id());
@@ -381,22 +388,23 @@ const ProgramRow kPrograms[] = {{"grass/mesh-grass", "grass/mesh_grass.vert.glsl
                                  nullptr, [] { return std::vector<std::string>{insideConstant(false)}; }}};
 const ProgramRow kShadePrograms[] = {
     {"grass/mesh-grass/shade", "grass/mesh_shade.vert.glsl", "grass/mesh_shade.frag.glsl", nullptr}};
-const Pass kPasses[] = {{"grass/mesh-grass",
-                         Stage::Slices,
-                         kViewMain | kViewReflection,
-                         {.reads = {Slot::Grass, Slot::Slices, Slot::Shadows, Slot::Lamps},
-                          .appends = {Slot::SceneColor, Slot::SceneDepth}},
-                         kPrograms,
-                         draw,
-                         featureSet(Feature::GrassBlended),
-                         false,
-                         true},
-                        {"grass/mesh-grass/shade",
-                         Stage::GroundShadow,
-                         kViewMain | kViewReflection,
-                         {.reads = {Slot::Grass, Slot::Slices, Slot::Shadows}, .appends = {Slot::SceneColor}},
-                         kShadePrograms,
-                         shade}};
+const Pass kPasses[] = {
+    {"grass/mesh-grass",
+     Stage::Slices,
+     kViewMain | kViewReflection,
+     {.reads = {Slot::Grass, Slot::Slices, Slot::Shadows, Slot::Lamps, Slot::ObjectLight},
+      .appends = {Slot::SceneColor, Slot::SceneDepth}},
+     kPrograms,
+     draw,
+     featureSet(Feature::GrassBlended),
+     false,
+     true},
+    {"grass/mesh-grass/shade",
+     Stage::GroundShadow,
+     kViewMain | kViewReflection,
+     {.reads = {Slot::Grass, Slot::Slices, Slot::Shadows, Slot::ObjectLight}, .appends = {Slot::SceneColor}},
+     kShadePrograms,
+     shade}};
 const Follows kFollows[] = {
     {Feature::GrassOnMeshes, "rays through slices, but for blades that are drawn one by one"},
     {Feature::Wind, "rays lean against the gust where it blows along the surface"},

@@ -83,6 +83,8 @@ std::optional<MeshRoot> plant(const CellSowing& s, const TriangleInPatch& corner
     r.alongU = mixed(s.p, part, w, &CarrierVertex::alongU), r.alongV = mixed(s.p, part, w, &CarrierVertex::alongV);
     r.bend = mixed(s.p, part, w, &CarrierVertex::bend);
     r.inCell = inCell, r.cellX = part.x, r.cellZ = part.z, r.mirror = s.version.mirror, r.blade = blade;
+    for (size_t k = 0; k < 3; ++k) r.corners[k] = s.p.carrier.vertices[s.p.carrier.indices[part.triangle + k]].of;
+    r.weights = glm::vec2(w);
     r.edged = s.p.carrier.vertices[s.p.carrier.indices[part.triangle]].part < 0;
     return r;
 }

@@ -3,6 +3,7 @@
 // that both have the same blades.
 // Does not: pose blades, which wind and paint lean (numerics/stand.h). Cost: 1 us a blade.
 #pragma once
+#include <array>
 #include <functional>
 #include <span>
 
@@ -32,10 +33,12 @@ struct MeshRoot {
     glm::dvec3 position, normal, alongU, alongV, bend;
     glm::vec2 uv, inCell;  // inCell: metres
     int cellX, cellZ;
-    glm::vec2 mirror;       // of the cell's version of the patch
-    uint32_t blade;         // of the patch
-    bool edged;             // its part of the surface has an edge (CarrierVertex::part)
-    float density, sownAt;  // of the place; the least at which the blade exists
+    glm::vec2 mirror;                 // of the cell's version of the patch
+    uint32_t blade;                   // of the patch
+    std::array<uint32_t, 3> corners;  // of its triangle: the mesh's vertices
+    glm::vec2 weights;                // of the first two
+    bool edged;                       // its part of the surface has an edge (CarrierVertex::part)
+    float density, sownAt;            // of the place; the least at which the blade exists
 };
 
 // By cell, those of one cell by triangle. Errors: texture coordinates that run over too many cells.

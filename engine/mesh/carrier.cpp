@@ -73,6 +73,7 @@ struct Splitting {
             number = static_cast<uint32_t>(out.vertices.size());
             const MeshVertex& v = mesh.vertices[vertex];
             out.vertices.push_back({v.position, v.normal, v.uv, {}, {}, glm::vec3(0)});
+            out.vertices.back().of = vertex;
             gathered.emplace_back();
         }
         return number;

@@ -24,6 +24,7 @@ struct CarrierVertex {
                                // the bitangent of carrierFrame: the mean over some edges around
     float lift = 1;
     glm::vec4 chart{0};  // of the part of the texture coordinates that hangs together with it: least u, v, greatest
+    uint32_t of = 0;     // the mesh's vertex that it was
     float part = 0;      // number, from 1, of the part of the surface that goes on smoothly; below 0: it has an edge
 };
 struct MeshCarrier {

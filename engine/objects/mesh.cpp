@@ -2,6 +2,7 @@
 
 #include "core/hash.h"
 #include "frame/gpu_mesh.h"
+#include "frame/object_light.h"
 #include "world/placement.h"
 
 namespace sward {
@@ -19,8 +20,9 @@ struct MeshState : EffectState {
     explicit MeshState(Gpu& gpu) : meshes(gpu, kOwner) {}
 };
 struct MeshView : EffectState {
-    Buffer instances;
+    Buffer instances, lights;
     std::vector<ObjectInstance> rows;
+    std::vector<uint32_t> firstLights;  // of the rows: numbers of their first vertices (frame/object_light.h)
     std::vector<Group> groups;
 };
 
@@ -49,13 +51,13 @@ void addGroup(DrawContext& ctx, MeshView& s, const GpuMesh& m, const std::vector
         const Ball ball = ballOf(m, row, p->mesh->scale);
         const bool seen = ctx.frustum.touches(ball.centre - ball.radius, ball.centre + ball.radius);
         if (seen && p->mesh->castShadows) addCaster(ctx, m, s.rows.size(), 1, ball.centre, ball.radius);
-        if (seen) s.rows.push_back(row);
+        if (seen) s.rows.push_back(row), s.firstLights.push_back(firstLightOf(ctx, p->entity));
         if (!seen && p->mesh->castShadows) unseen.push_back({row, ball});
     }
     group.seen = s.rows.size() - group.first;
     for (const auto& [row, ball] : unseen) {
         addCaster(ctx, m, s.rows.size(), 1, ball.centre, ball.radius);
-        s.rows.push_back(row);
+        s.rows.push_back(row), s.firstLights.push_back(NO_OBJECT_LIGHT);
     }
     s.groups.push_back(group);
 }
@@ -73,6 +75,18 @@ uint64_t hashOf(const DrawContext& ctx, const MeshState& s, const std::vector<Pl
     return ctx.shared.casters.empty() ? 0 : h.value();
 }
 
+// Gives a mesh the numbers of its instances' first vertices where scenes have light for them.
+void setLights(const DrawContext& ctx, const GpuMesh& m, const Buffer& lights) {
+    const GLuint mesh = m.mesh.id();
+    if (!ctx.shared.objectLight)
+        return glDisableVertexArrayAttrib(mesh, 6), glVertexArrayVertexBuffer(mesh, 2, 0, 0, 4);
+    glEnableVertexArrayAttrib(mesh, 6);
+    glVertexArrayAttribIFormat(mesh, 6, 1, GL_UNSIGNED_INT, 0);
+    glVertexArrayAttribBinding(mesh, 6, 2);
+    glVertexArrayBindingDivisor(mesh, 2, 1);
+    glVertexArrayVertexBuffer(mesh, 2, lights.id(), 0, sizeof(uint32_t));
+}
+
 void place(DrawContext& ctx) {
     MeshState& s = ctx.own<MeshState>();
     MeshView& view = ctx.ofView<MeshView>();
@@ -81,22 +95,30 @@ void place(DrawContext& ctx) {
     for (const PlacedMesh& p : placed) byFile[p.mesh->file].push_back(&p);
     s.meshes.keepIf([&](const std::string& file) { return byFile.contains(file); });
     view.rows.clear();
+    view.firstLights.clear();
     view.groups.clear();
     for (const auto& [file, those] : byFile) addGroup(ctx, view, s.meshes.of(ctx, file), those);
     ctx.shared.castersHash += hashOf(ctx, s, placed);
     writeBuffer(ctx.gpu, view.instances, kOwner, view.rows.size() * sizeof(ObjectInstance), view.rows.data());
-    for (const Group& g : view.groups)
+    if (ctx.shared.objectLight)
+        writeBuffer(ctx.gpu, view.lights, kOwner, view.firstLights.size() * sizeof(uint32_t), view.firstLights.data());
+    else
+        view.lights = {};
+    for (const Group& g : view.groups) {
         glVertexArrayVertexBuffer(g.mesh->mesh.id(), 1, view.instances.id(), 0, sizeof(ObjectInstance));
+        setLights(ctx, *g.mesh, view.lights);
+    }
 }
 
 void draw(DrawContext& ctx) {
     const MeshState& s = ctx.own<MeshState>();
     if (!ctx.use()) return;  // also while none is seen: no halt when the first comes into view
+    bindObjectLight(ctx);
     for (const Group& g : ctx.ofView<MeshView>().groups)
         if (g.seen > 0) s.meshes.draw(ctx, *g.mesh, g.first, g.seen);
 }
 
-const System kSystems[] = {{"objects/place", {.appends = {Slot::Casters}}, place}};
+const System kSystems[] = {{"objects/place", {.reads = {Slot::ObjectLight}, .appends = {Slot::Casters}}, place}};
 const ProgramRow kPrograms[] = {{"objects/mesh", "objects/mesh.vert.glsl", "objects/mesh.frag.glsl", nullptr}};
 const Pass kPasses[] = {{"objects/mesh",
                          Stage::Opaque,

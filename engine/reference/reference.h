@@ -3,11 +3,11 @@
 // draw is held against it (metrics/). Full: direct light of sun and lamps past everything that casts shadows, and light
 // of the sky, of ground, blades and objects that falls on each other, by paths (Kajiya 1986) that end by chance
 // (Russian roulette) without bias. Direct: surfaces lit as the shaders light them, by the same numerics: light from
-// above and below by the normal, darker near a blade's root and by the ambient-occlusion map; only shadows are traced,
-// where the scene has them at all (shadowMask, groundShadows). What is left against a technique is its geometry, not
-// its light. Samples of a pixel are independent (a hash of seed, pixel and sample), over the pixel's square; haze is
-// the shaders' own. Does not: depth of field, motion blur, spectra. Cost: football's `human`, 640 x 480, 16 samples:
-// docs/accuracy.md.
+// above and below by the normal (on objects too, whose traced light is not in it), darker near a blade's root and by
+// the ambient-occlusion map; only shadows are traced, where the scene has them at all (shadowMask, groundShadows). What
+// is left against a technique is its geometry, not its light. Samples of a pixel are independent (a hash of seed, pixel
+// and sample), over the pixel's square; haze is the shaders' own. Does not: depth of field, motion blur, spectra. Cost:
+// football's `human`, 640 x 480, 16 samples: docs/accuracy.md.
 #pragma once
 #include <algorithm>
 #include <memory>

@@ -251,11 +251,15 @@ constexpr FieldRow kStaticMeshFields[] = {
     real("scale", offsetof(StaticMesh, scale), "", {0.001, 1000, 0.1, 10}, "factor of its size"),
     flag("onGround", offsetof(StaticMesh, onGround), "its Transform's height counts from the ground below it"),
     flag("castShadows", offsetof(StaticMesh, castShadows), "it shades the ground, the grass and other objects"),
+    choice("bakeLight", &StaticMesh::bakeLight, offsetof(StaticMesh, bakeLight), kBakeLights,
+           "light from all around: local: as on open level ground; traced: less where ground and objects hide the sky, "
+           "and with what they throw back, traced once"),
 };
 FeatureSet staticMeshFeatures(const void* component) {
     const auto& m = *static_cast<const StaticMesh*>(component);
     if (m.file.empty()) return {};
-    const FeatureSet s = featureSet(Feature::Objects);
+    FeatureSet s = featureSet(Feature::Objects);
+    if (m.bakeLight == BakeLight::Traced) s |= featureSet(Feature::ObjectLight);
     return m.castShadows ? s | featureSet(Feature::ObjectShadows, Feature::LampShadows) : s;
 }
 

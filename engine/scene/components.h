@@ -226,6 +226,11 @@ struct Flowers {
     int seed = 1;
 };
 
+// How light that comes from all around is found: by rules that know only the surface itself, or traced once, with what
+// lies around.
+enum class BakeLight { Local, Traced };
+inline constexpr auto kBakeLights = enumNames<BakeLight>("local", "traced");
+
 // An object standing where its Transform says: bench, stone, house. Files: mesh/mesh_io.h.
 struct StaticMesh {
     std::string file;           // .glb or .gltf; empty: nothing to see
@@ -233,6 +238,7 @@ struct StaticMesh {
     float scale = 1;
     bool onGround = true;  // the Transform's y counts from the ground below; else from the world's origin
     bool castShadows = true;
+    BakeLight bakeLight = BakeLight::Traced;  // local: as on open level ground
 };
 
 // What rolls in a playtest: down slopes, and pushed by the walker and by others of its kind. A ball about the

@@ -34,6 +34,7 @@ FeatureSet entityFeatures(const Registry& registry, const Tables& tables, Entity
             all |= row.features(component);
             if (row.featuresOnEntity) all |= row.featuresOnEntity(registry, e, tables, coarse);
         }
+    if (registry.get<Rolling>(e)) all &= ~featureSet(Feature::ObjectLight);  // it would be traced anew in each frame
     if (!presses(registry, e)) all &= ~featureSet(Feature::Forces, Feature::ForceOutlines);
     if (has(all, Feature::Sun) && e != sun) all = (all & ~featureSet(Feature::Sun)) | featureSet(Feature::Lamps);
     return all;
@@ -52,6 +53,7 @@ FeatureSet sceneFeatures(const Registry& registry, const Tables& tables, bool co
     FeatureSet all;
     const Entity sun = sunEntity(registry);
     registry.each<Name>([&](Entity e, const Name&) { all |= entityFeatures(registry, tables, e, sun, coarse); });
+    if (!has(all, Feature::Sun) && !has(all, Feature::Sky)) all &= ~featureSet(Feature::ObjectLight);
     if (!has(all, Feature::Sun)) all &= ~featureSet(Feature::ObjectShadows, Feature::TerrainShadows);  // of the sun
     if (!lampCasts(registry, sun)) all &= ~featureSet(Feature::LampShadows, Feature::LampHills);
     return all;

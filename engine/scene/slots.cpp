@@ -5,11 +5,11 @@
 namespace sward {
 namespace {
 // In the order of Slot.
-constexpr const char* kNames[] = {"SampleShift", "Sun",         "SkyLight",  "Haze",    "Air",        "Lamps",
-                                  "Ground",      "GroundNodes", "Masks",     "Traced",  "Grown",      "Meshes",
-                                  "Grass",       "Slices",      "FarGround", "Blades",  "BladeCells", "ForceList",
-                                  "Forces",      "Forests",     "Casters",   "Shadows", "Reflection", "SceneColor",
-                                  "SceneDepth",  "Resolved",    "Image"};
+constexpr const char* kNames[] = {"SampleShift", "Sun",         "SkyLight",    "Haze",    "Air",        "Lamps",
+                                  "Ground",      "GroundNodes", "Masks",       "Traced",  "Grown",      "Meshes",
+                                  "Grass",       "Slices",      "FarGround",   "Blades",  "BladeCells", "ForceList",
+                                  "Forces",      "Forests",     "ObjectLight", "Casters", "Shadows",    "Reflection",
+                                  "SceneColor",  "SceneDepth",  "Resolved",    "Image"};
 static_assert(std::size(kNames) == static_cast<size_t>(Slot::Count));
 }  // namespace
 

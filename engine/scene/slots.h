@@ -30,6 +30,7 @@ enum class Slot : uint8_t {
     ForceList,    // what presses on the grass
     Forces,       // the map in which that adds up
     Forests,      // which trees stand
+    ObjectLight,  // what comes to objects from all around
     Casters,      // triangles that shade
     Shadows,      // where sun and lamps do not reach
     Reflection,   // what water mirrors

@@ -42,6 +42,17 @@ void addGrass(const Terrain& t, const GrassField& f, double x, double z, float& 
     }
 }
 
+// Soil that lies under so much leaf area, and what is seen of it and of that.
+struct Covered {
+    float left;  // of the light on the soil
+    glm::vec3 sends;
+};
+Covered coveredBy(const glm::vec3& soil, float area, const glm::vec3& colour) {
+    const glm::vec3 grass = area > 0 ? kCanopySends * colour / area : glm::vec3(0);
+    const float left = std::exp(-kTakesLight * area);
+    return {left, f32::landSends(soil * left, grass, left, glm::vec3(0), 0)};
+}
+
 // Sums over places, of those where more grass than soil is seen, and of the others.
 struct Places {
     glm::vec3 sends{0};
@@ -63,10 +74,9 @@ void sumMeans(const Project& p, const Terrain& t, Land& land) {
         for (const auto& [name, field] : fields)
             if (field.grows.onTerrain) addGrass(t, field.grows, x, z, area, colour);
         areas += area, grassColours += colour;
-        const glm::vec3 grass = area > 0 ? kCanopySends * colour / area : glm::vec3(0);
-        const float left = std::exp(-kTakesLight * area);
-        Places& of = left < 0.5f ? grown : bare;
-        of.sends += f32::landSends(soil * left, grass, left, glm::vec3(0), 0), ++of.count;
+        const Covered here = coveredBy(soil, area, colour);
+        Places& of = here.left < 0.5f ? grown : bare;
+        of.sends += here.sends, ++of.count;
     }
     const Places& more = grown.count >= bare.count ? grown : bare;
     land.mean = more.sends / static_cast<float>(std::max(more.count, 1));
@@ -96,6 +106,15 @@ Land landOf(const Project& p) {
     land.level = static_cast<float>(edgesHeight(*t));
     sumMeans(p, *t, land);
     return land;
+}
+
+glm::vec3 groundSends(const Terrain& t, std::span<const GrassField* const> fields, double x, double z,
+                      const glm::vec3& soil) {
+    float area = 0;
+    glm::vec3 colour(0);
+    for (const GrassField* f : fields)
+        if (f->onTerrain) addGrass(t, *f, x, z, area, colour);
+    return coveredBy(soil, area, colour).sends;
 }
 
 double landHeight(const Terrain& t, const Land& land, double x, double z) {

@@ -4,6 +4,8 @@
 // do not fade. Does not: blades, flowers, water, trees; hills' shadows; hands and feet, which find the edge's height
 // there. Cost: 0.2 ms to sum the means; drawn, some 50 to 150 nodes of the ground.
 #pragma once
+#include <span>
+
 #include "scene/project.h"
 #include "world/ground.h"
 
@@ -21,6 +23,9 @@ struct Land {
 };
 // Of the project's terrain; reach 0 where there is none, or where its `beyond` is none.
 Land landOf(const Project& p);
+// Reflectance of ground whose soil is of this colour, at terrain-relative metres, with what grows there.
+glm::vec3 groundSends(const Terrain& t, std::span<const GrassField* const> fields, double x, double z,
+                      const glm::vec3& soil);
 // Height at terrain-relative metres, beyond the edges too.
 double landHeight(const Terrain& t, const Land& land, double x, double z);
 

@@ -26,7 +26,7 @@ PlacedMesh placeMesh(const Project& p, Entity e) { return placeMesh(p, findGroun
 PlacedMesh placeMesh(const Project& p, const Ground& ground, Entity e) {
     const StaticMesh* mesh = p.registry.get<StaticMesh>(e);
     const Transform* transform = p.registry.get<Transform>(e);
-    PlacedMesh placed{mesh, transform ? transform->position : glm::dvec3(0), rotationOf(mesh->rotationDeg)};
+    PlacedMesh placed{mesh, transform ? transform->position : glm::dvec3(0), rotationOf(mesh->rotationDeg), e};
     if (mesh->onGround && ground.terrain)
         placed.at.y += ground.origin.y +
                        terrainHeight(*ground.terrain, placed.at.x - ground.origin.x, placed.at.z - ground.origin.z);

@@ -15,6 +15,7 @@ struct PlacedMesh {
     const StaticMesh* mesh = nullptr;
     glm::dvec3 at{0};    // its origin in the world
     glm::dmat3 turn{1};  // rotation, without the scale
+    Entity entity = kNoEntity;
 };
 // Degrees about x, then z, then y.
 glm::dmat3 rotationOf(const glm::dvec3& degrees);

@@ -5,6 +5,7 @@
 #include "lib/field.glsl"
 #include "lib/frame.glsl"
 #include "lib/mirror.glsl"
+#include "lib/object_light.glsl"
 #include "lib/on_mesh.glsl"
 #include "lib/wind.glsl"
 #include "numerics/basics.h"
@@ -24,6 +25,7 @@ layout(location = 5) uniform int quads;             // of strips
 layout(location = 6) uniform float pixelsPerMetre;  // at one metre
 layout(location = 10) uniform vec4 rows[3];         // from the mesh to positions relative to the eye
 layout(location = 13) uniform float scale;          // metres that the mesh's unit is
+layout(location = 14) uniform uint firstLight;      // number of the mesh's first vertex
 
 // As grass/geometry.vert.glsl has them.
 centroid out vec4 lit;
@@ -62,10 +64,17 @@ BladeStand standOn(MeshBladeRoot r, vec2 inCell) {
 }
 vec2 leantBy(vec2 blown, mat3 toField) { return (toField * vec3(blown.x, 0.0, blown.y)).xz; }
 
-OnMesh onMeshAt(mat3 axes, vec3 foot, vec3 bend) {
+vec3 aroundAt(uvec4 corners) {
+    vec2 weights = unpackUnorm2x16(corners.w);
+    return objectLightAt(firstLight, corners.x) * weights.x + objectLightAt(firstLight, corners.y) * weights.y +
+           objectLightAt(firstLight, corners.z) * (1.0 - weights.x - weights.y);
+}
+
+OnMesh onMeshAt(mat3 axes, vec3 foot, vec3 bend, vec3 around) {
     OnMesh on;
     on.toField = transpose(axes);
     on.normal = axes[1];
+    on.around = around;
     on.foot = foot;
     on.uvLength = uvLength;
     on.sun = on.toField * frame.sunDirection;
@@ -100,7 +109,7 @@ void main() {
     if (!(opacity > 0.0 && wider > 0.0)) return;
 
     mat3 axes = axesOf(r);
-    OnMesh on = onMeshAt(axes, foot, vec3(unpackHalf2x16(r.bend.x), bendAndDensity.x) / scale);
+    OnMesh on = onMeshAt(axes, foot, vec3(unpackHalf2x16(r.bend.x), bendAndDensity.x) / scale, aroundAt(r.corners));
     CellVersion version = cellVersion(r.cell.x, r.cell.y, species.seed);
     BladeStand stand = standOn(r, rootInCell(b.root, version.mirror, version.shift, species.cellSize));
     float gusts = field.species[species.index].gusts;

@@ -38,6 +38,7 @@ in vec3 alongU;
 in vec3 alongV;
 in vec3 bend;
 in float lift;
+in vec3 around;
 flat in vec4 chart;
 flat in float part;  // below 0: it has an edge
 layout(location = 0) out vec4 color;
@@ -214,7 +215,7 @@ void main() {
     sun = sunOverLevel(sun, shell.sunBend, height);
     shell.sun = SunSeen(sun, lampWeights(sun));
     shell.turned = CONSERVING ? verticalShare(toEye.y) * abs(seen.xz) / level : vec2(1.0);
-    vec3 open = ambientLight(n) / max(ambientLight(vec3(0.0, 1.0, 0.0)), vec3(1e-6));
+    vec3 open = ambientLightOn(n, around) / max(ambientLight(vec3(0.0, 1.0, 0.0)), vec3(1e-6));
     vec3 plain = vec3(p.lighter * darkened(far) * slices.reflectScale);
     vec3 shown = plain * (GRASS_MESH_GEOMETRY ? sharedGain(toEye, sharedAt(far + ahead)) : 1.0);
     vec4 sunGain = SUN ? textureLod(sunGains, directedPlace(toEye, sun), 0.0) : vec4(0.0);

@@ -3,6 +3,7 @@
 // surface under the eye. Needs: const bool INSIDE.
 #include "lib/frame.glsl"
 #include "lib/mirror.glsl"
+#include "lib/object_light.glsl"
 #include "shared/bindings.h"
 #include "shared/slices.h"
 
@@ -16,10 +17,12 @@ layout(location = 5) in vec3 meshBend;
 layout(location = 6) in float meshLift;
 layout(location = 7) in vec4 meshChart;
 layout(location = 8) in float meshPart;
+layout(location = 9) in uint meshVertex;
 layout(location = 10) uniform vec4 rows[3];     // from the mesh to positions relative to the eye
 layout(location = 13) uniform float scale;      // metres that the mesh's unit is
 layout(location = 14) uniform float lifted;     // over the surface, in heights of the slices
 layout(location = 15) uniform float firstPart;  // of the mesh, among the parts of all
+layout(location = 16) uniform uint firstLight;
 
 out vec3 position;  // relative to the eye; INSIDE: somewhere along the ray
 out vec3 normal;
@@ -28,6 +31,7 @@ out vec3 alongU;  // a metre
 out vec3 alongV;
 out vec3 bend;  // 1/m
 out float lift;
+out vec3 around;  // light from all around on the surface; red below 0: as on open ground
 flat out vec4 chart;
 flat out float part;  // of all shells; below 0: it has an edge
 
@@ -42,6 +46,7 @@ void main() {
     alongV = turned(meshAlongV) / scale;
     bend = meshBend / scale;
     lift = meshLift * lifted;
+    around = objectLightAt(firstLight, meshVertex);
     chart = meshChart;
     part = meshPart + sign(meshPart) * firstPart;
     cutAtWater(position.y);

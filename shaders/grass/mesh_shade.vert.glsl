@@ -2,6 +2,7 @@
 #include "lib/frame.glsl"
 #include "lib/density.glsl"
 #include "lib/mirror.glsl"
+#include "lib/object_light.glsl"
 #include "shared/bindings.h"
 #include "shared/slices.h"
 
@@ -15,13 +16,16 @@ layout(location = 2) in vec2 meshUv;
 layout(location = 3) in vec3 meshAlongU;
 layout(location = 4) in vec3 meshAlongV;
 layout(location = 5) in vec3 meshBend;
+layout(location = 9) in uint meshVertex;
 layout(location = 4) uniform float uvLength;  // metres that one unit of texture coordinates is
 layout(location = 10) uniform vec4 rows[3];   // from the mesh to positions relative to the eye
 layout(location = 13) uniform float scale;    // metres that the mesh's unit is
+layout(location = 16) uniform uint firstLight;
 
 out vec3 position;  // relative to the eye
 out vec3 normal;
 out vec2 uv;
+out vec3 around;    // light from all around; red below 0: as on open ground
 out float crowded;  // how many times as much grass stands on a square metre as the field has
 
 // Share of its leaves that a place keeps: over a surface that bends away, half way up, they have more room.
@@ -35,6 +39,7 @@ void main() {
     position = vec3(dot(rows[0], p), dot(rows[1], p), dot(rows[2], p));
     normal = vec3(dot(rows[0].xyz, meshNormal), dot(rows[1].xyz, meshNormal), dot(rows[2].xyz, meshNormal)) / scale;
     uv = meshUv;
+    around = objectLightAt(firstLight, meshVertex);
     crowded = length(cross(meshAlongU, meshAlongV)) * (uvLength * uvLength / (scale * scale)) *
               keptOver(meshBend / scale, field.species[slices.species].height);
     cutAtWater(position.y);

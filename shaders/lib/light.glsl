@@ -5,6 +5,8 @@
 
 // Light from above and below on a surface that faces n, divided by pi.
 vec3 ambientLight(vec3 n) { return halvesLight(frame.groundLight, frame.skyLight, n.y); }
+// The same on an object, where it is known what comes to it from all around: `around`, red below 0: it is not.
+vec3 ambientLightOn(vec3 n, vec3 around) { return around.r < 0.0 ? ambientLight(n) : around; }
 // Direct light on a surface that faces n; `side` of two-sided surfaces is chosen by the caller.
 vec3 sunLight(vec3 n) {
     if (!SUN) return vec3(0.0);

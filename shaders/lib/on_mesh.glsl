@@ -7,6 +7,7 @@
 struct OnMesh {
     mat3 toField;       // from the world's axes to the surface's
     vec3 normal;        // of the surface, unit
+    vec3 around;        // light from all around on it; red below 0: as on open ground
     vec3 foot;          // of the blade, relative to the eye
     vec3 sun, sunOver;  // towards the sun, in the surface's axes; sunOverLevel of that
     float sunBend;      // curvature towards it, 1/m
@@ -32,7 +33,7 @@ float sunOnBlade(vec3 position, vec3 fromRoot) {
 // A surface that is turned sees less of the sky.
 vec3 skyOnBlade(vec3 position) {
     vec3 level = max(ambientLight(vec3(0.0, 1.0, 0.0)), vec3(1e-6));
-    return ambientLight(onMesh.normal) / level * skyOnGrassPastTrees(position);
+    return ambientLightOn(onMesh.normal, onMesh.around) / level * skyOnGrassPastTrees(position);
 }
 
 // on: of the blade.

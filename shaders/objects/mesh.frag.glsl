@@ -14,6 +14,7 @@ layout(location = 1) uniform float cutoff;      // of its alpha
 in vec3 position;
 in vec3 normal;
 in vec2 uv;
+in vec3 around;  // of the side that looks outside
 layout(location = 0) out vec4 color;
 
 void main() {
@@ -22,7 +23,7 @@ void main() {
     vec3 n = normalize(gl_FrontFacing ? normal : -normal);
     vec3 from = sunLight(n) * sunVisible(position, n);
     if (LAMPS) from += lampLight(position, n, n);
-    vec3 light = (from + ambientLight(n)) * texel.rgb * reflectance;
+    vec3 light = (from + ambientLightOn(n, gl_FrontFacing ? around : vec3(-1.0))) * texel.rgb * reflectance;
     color = objectColor(light, n, position);
     tellMotion(vec3(0.0));
 }

@@ -29,6 +29,7 @@
 #define SSBO_NODES 5
 #define SSBO_CHOSEN 6
 #define SSBO_UP_TO 7
+#define SSBO_OBJECT_LIGHT 6  // as chosen cells: bound for each draw
 #define SSBO_FOREST_TILES 1  // as cells: bound for each draw
 #define SSBO_FOREST_FEET 3
 #define SSBO_FOREST_SLICES 4

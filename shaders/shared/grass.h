@@ -117,6 +117,7 @@ struct MeshBladeRoot {
     uvec2 bend;  // packHalf2x16: curvature as CarrierVertex has it, and last the density of the place
     vec2 uv;
     ivec2 cell;
+    uvec4 corners;  // the mesh's vertices around it; packUnorm2x16 of the weights of the first two
 };
 #define MIRRORED_ROOT 0x80000000u
 

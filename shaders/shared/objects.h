@@ -17,6 +17,9 @@ struct ObjectInstance {
     vec4 row[3];
 };
 
+// Number of a first vertex of objects that no rays have found light for (lib/object_light.glsl).
+#define NO_OBJECT_LIGHT 0xFFFFFFFFu
+
 // A shadow map around the eye.
 struct STD140 ShadowCascade {
     mat4 toMap;   // eye-relative to the map: x, y in [0, 1], z depth (1: nearest to the sun)

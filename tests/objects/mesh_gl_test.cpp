@@ -33,8 +33,8 @@ TEST(Objects, AnObjectIsDrawnOnceForEachMaterialAndCounted) {
     ASSERT_TRUE(renderer.draw(p, fromSouth(), measured()));
     EXPECT_EQ(passNamed(renderer, "objects/mesh")->draws, 1u) << "two of one file are one draw";
     EXPECT_EQ(passNamed(renderer, "objects/mesh")->instances, 2u);
-    EXPECT_EQ(gpu().ledger.at("objects/mesh"), 24 * 32 + 36 * 4 + 256 + 4)
-        << "vertices, indices, instances, white: one file is held once";
+    EXPECT_EQ(gpu().ledger.at("objects/mesh"), 24 * 32 + 36 * 4 + 256 + 256 + 4)
+        << "vertices, indices, instances, numbers of their first vertices, white: one file is held once";
 }
 
 TEST(Objects, WhatTheViewDoesNotSeeIsNotDrawnButMayShade) {

@@ -1,0 +1,151 @@
+// Light from all around points and objects: against closed forms, and which objects have it.
+#include "reference/object_light.h"
+
+#include <gtest/gtest.h>
+
+#include "objects.h"
+#include "techniques.h"
+
+namespace sward::test {
+namespace {
+
+constexpr float kAlbedo = 0.4f;
+const double kSunSine = std::sin(glm::radians(45.0));
+
+// An even sky over a wide plain of one reflectance.
+Project plain(const TempDir& dir) {
+    Project p = cubeScene(dir.path);
+    removeEntity(p, "cube");
+    Terrain& ground = *p.registry.get<Terrain>(findEntity(p, "ground"));
+    ground.size = {4000, 4000};
+    ground.groundColor = glm::vec3(kAlbedo);
+    p.registry.get<Sky>(findEntity(p, "sky"))->model = SkyModel::Uniform;
+    return p;
+}
+AroundTracer tracerOf(const Project& p) {
+    auto made = AroundTracer::make(p, tables(), 0, JobControl{});
+    EXPECT_TRUE(made) << made.error().text();
+    return std::move(*made);
+}
+// Mean of many paths.
+AroundFactors meanAt(const AroundTracer& t, const glm::dvec3& at, const glm::vec3& n) {
+    AroundFactors sum;
+    constexpr int kMany = 64;
+    for (uint32_t i = 0; i < kMany; ++i) {
+        const AroundFactors f = t.at(at, n, i);
+        sum.sky += f.sky / float(kMany), sum.sun += f.sun / float(kMany), sum.ground += f.ground / float(kMany);
+    }
+    return sum;
+}
+std::vector<TracedObject> tracedOf(const Project& p) {
+    JobControl control;
+    const auto made = traceObjectLight(p, tables(), 0, control);
+    EXPECT_TRUE(made) << made.error().text();
+    return made ? *made : std::vector<TracedObject>{};
+}
+
+TEST(ObjectLight, OverAPlainIsTheSkysShareAndWhatThePlainThrowsBack) {
+    const TempDir dir;
+    const Project p = plain(dir);
+    const AroundTracer t = tracerOf(p);
+    for (const auto& [n, up] :
+         {std::pair<glm::vec3, double>{{0, 1, 0}, 1}, {{1, 0, 0}, 0.5}, {{0, 0, -1}, 0.5}, {{0, -1, 0}, 0}}) {
+        const AroundFactors f = meanAt(t, {2000, 3, 2000}, n);
+        const double below = (1 - up) * double(kAlbedo);
+        EXPECT_NEAR(f.sky.y, up + below, 0.02) << n.x << n.y;
+        EXPECT_NEAR(f.sun.y, below * kSunSine, 0.02);
+        EXPECT_NEAR(f.ground.y, 0, 0.01) << "the plain goes on to the horizon";
+    }
+}
+
+TEST(ObjectLight, InABoxThereIsNoneAndUnderARoofLittle) {
+    const TempDir dir;
+    Project p = plain(dir);
+    putObject(p, "box", {{.size = {4, 4, 4}}}, {2000, 0, 2000});
+    EXPECT_LT(meanAt(tracerOf(p), {2000, 1, 2000}, {0, 1, 0}).sky.y, 0.001);
+    putObject(p, "box", {{.size = {40, 0.2f, 40}}}, {2000, 2, 2000});
+    const AroundFactors under = meanAt(tracerOf(p), {2000, 0.5, 2000}, {0, 1, 0});
+    EXPECT_LT(under.sky.y, 0.05);
+    EXPECT_LT(under.sun.y, 0.05) << "the sun does not come under it";
+}
+
+TEST(ObjectLight, GrassColoursWhatIsThrownBack) {
+    const TempDir dir;
+    Project p = plain(dir);
+    const AroundFactors bare = meanAt(tracerOf(p), {2000, 3, 2000}, {0, -1, 0});
+    GrassField grass;
+    grass.species[0].bladesPerM2 = 20000, grass.species[0].height = 0.1f;
+    grass.species[0].rootColor = grass.species[0].midColor = grass.species[0].tipColor = {0.02f, 0.2f, 0.02f};
+    put(p, "grass", grass);
+    const AroundFactors green = meanAt(tracerOf(p), {2000, 3, 2000}, {0, -1, 0});
+    EXPECT_NEAR(bare.sun.x, bare.sun.y, 0.01);
+    EXPECT_GT(green.sun.y, 3 * green.sun.x);
+    EXPECT_LT(green.sun.x, 0.2f * bare.sun.x);
+}
+
+// A wall of four corners a side under a roof that reaches over it: in the middle it has the light of its middle.
+TEST(ObjectLight, AWallUnderARoofIsAsBrightAsItsMiddle) {
+    const TempDir dir;
+    Project p = plain(dir);
+    putObject(p, "hut", {{.size = {4, 3, 4}}, {.size = {6, 0.2f, 6}, .at = {0, 3, 0}}}, {2000, 0, 2000});
+    const auto traced = tracedOf(p);
+    ASSERT_EQ(traced.size(), 1u);
+    const auto mesh = readMesh(p.dir, "hut.glb");
+    ASSERT_TRUE(mesh);
+    ASSERT_EQ(traced[0].vertices.size(), mesh->vertices.size());
+    double fit = 0, corners = 0;
+    int n = 0;
+    const AroundTracer t = tracerOf(p);
+    for (size_t i = 0; i < mesh->vertices.size(); ++i) {
+        const MeshVertex& v = mesh->vertices[i];
+        if (v.normal.x < 0.9f || v.position.y > 3.01f || std::abs(v.position.x - 2) > 0.01f) continue;
+        fit += double(traced[0].vertices[i].sky.y), ++n;
+        corners += double(meanAt(t, glm::dvec3(2000, 0, 2000) + glm::dvec3(v.position), v.normal).sky.y);
+    }
+    ASSERT_EQ(n, 4);
+    double whole = 0;  // over the wall, in an even grid
+    for (int i = 0; i < 64; ++i)
+        whole +=
+            double(t.at({2002, 3 * (i / 8 + 0.5) / 8, 1998 + 4 * (i % 8 + 0.5) / 8}, {1, 0, 0}, uint32_t(i)).sky.y) /
+            64;
+    EXPECT_NEAR(fit / n, whole, 0.05 * whole);
+    EXPECT_LT(corners / n, 0.8 * whole) << "found at the corners themselves it would be darker";
+}
+
+TEST(ObjectLight, IsOfWhatAsksForItStaysWhereItIsAndIsSmallEnough) {
+    const TempDir dir;
+    Project p = plain(dir);
+    const std::vector<Solid> cube = {{.size = {1, 1, 1}}};
+    for (const char* name : {"a", "b", "c", "d"}) putObject(p, name, cube, {2000, 0, 2000});
+    p.registry.get<StaticMesh>(findEntity(p, "b"))->bakeLight = BakeLight::Local;
+    put<Rolling>(p, "c");
+    putObject(p, "d", {{.kind = SolidKind::Leaves, .size = {1, 1, 1}, .count = 20000, .leaf = 0.05f}}, {2010, 0, 2000});
+    const auto traced = tracedOf(p);
+    ASSERT_EQ(traced.size(), 2u);
+    EXPECT_EQ(traced[0].entity, findEntity(p, "a"));
+    EXPECT_FALSE(traced[0].vertices.empty());
+    EXPECT_EQ(traced[1].entity, findEntity(p, "d"));
+    EXPECT_TRUE(traced[1].vertices.empty()) << "as many vertices as a tree has";
+    EXPECT_TRUE(has(sceneFeatures(p.registry, tables()), Feature::ObjectLight));
+    for (const char* name : {"a", "d"}) p.registry.get<StaticMesh>(findEntity(p, name))->bakeLight = BakeLight::Local;
+    EXPECT_FALSE(has(sceneFeatures(p.registry, tables()), Feature::ObjectLight)) << "what rolls does not ask for it";
+}
+
+TEST(ObjectLight, IsTheSameAgainAndTellsWhatIsWrong) {
+    const TempDir dir;
+    Project p = plain(dir);
+    putObject(p, "a", {{.size = {1, 1, 1}}}, {2000, 0, 2000});
+    const auto one = tracedOf(p), other = tracedOf(p);
+    for (size_t i = 0; i < one[0].vertices.size(); ++i) EXPECT_EQ(one[0].vertices[i].sky, other[0].vertices[i].sky);
+    JobControl cancelled;
+    cancelled.cancel();
+    EXPECT_FALSE(traceObjectLight(p, tables(), 0, cancelled));
+    writeText(p.dir / "a.glb", "no mesh");
+    JobControl control;
+    const auto broken = traceObjectLight(p, tables(), 0, control);
+    ASSERT_FALSE(broken);
+    EXPECT_NE(broken.error().text().find("a.glb"), std::string::npos) << broken.error().text();
+}
+
+}  // namespace
+}  // namespace sward::test
