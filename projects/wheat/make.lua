@@ -17,7 +17,7 @@ entity.add("field", { GrassField = {
           leanDeg = 18, leanVariationDeg = 20, stiffness = 0.6, segments = 4, clumpSize = 0.8, clumpStrength = 0.4, translucency = 0.6,
           rootColor = { 0.12, 0.11, 0.04 }, midColor = { 0.24, 0.2, 0.07 }, tipColor = { 0.33, 0.25, 0.1 } },
     },
-}, TessellatedBlades = { maxDistance = 30, leastPixels = 0.5, thinning = 0 } })
+}, TessellatedBlades = { maxDistance = 30, levelBy = "pixels", leastPixels = 0.5, thinning = 0 } })
 entity.add("antialias", { Antialias = { antialias = "temporal" } })
 entity.add("sun", { Light = { azimuthDeg = 235, elevationDeg = 24 } })
 entity.add("sky", { Sky = { model = "atmosphere", turbidity = 1.5 } })

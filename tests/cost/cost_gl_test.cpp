@@ -113,10 +113,12 @@ TEST(CostSweep, LeavesOutWhatTakesTooLongAndSaysSo) {
     const Project p = small_();
     CostRequest r = request(p, dir, "a");
     r.maxMs = 1e-3;
+    r.settings.push_back({"hybrid", {}});
     auto run = runCost(r, p, tables(), gpu(), go);
     ASSERT_TRUE(run) << run.error().text();
     for (const CostRow& row : run->rows) {
         EXPECT_NE(row.skipped.find("the limit is"), std::string::npos);
+        if (row.settings == kAsItIs) EXPECT_EQ(row.skipped.find("a frame took"), 0u) << "not by what was reckoned";
         EXPECT_FALSE(row.onFrontier);
     }
     EXPECT_NE(costCsv(*run).find("the limit is"), std::string::npos);
