@@ -1,7 +1,9 @@
 #include "reference/object_light.h"
 
+#include <chrono>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
+#include <thread>
 
 #include "core/cache_file.h"
 #include "core/file.h"
@@ -319,7 +321,7 @@ struct LightState : EffectState {
     std::vector<TracedObject> traced;
     std::optional<LitBy> of;      // what `traced` is of
     std::optional<LitBy> wanted;  // what the job makes
-    uint64_t wantedKey = 0;
+    uint64_t wantedNumber = 0;    // counts what was wanted
     Job<std::vector<TracedObject>> bake;
     glm::vec3 sky{-1}, sun{-1}, ground{-1};  // by which the vertices are lit
     void jobs(std::vector<JobNews>& out) const override {
@@ -328,8 +330,9 @@ struct LightState : EffectState {
 };
 
 // From the cache folder, or traced and kept there.
-Result<std::vector<TracedObject>> objectLight(const Project& p, const Tables& tables, double seconds, uint64_t key,
+Result<std::vector<TracedObject>> objectLight(const Project& p, const Tables& tables, double seconds, const LitBy& by,
                                               JobControl& control) {
+    const uint64_t key = keyOf(p, by);
     if (auto kept = loadCached(cacheFile(key), uint64_t{1} << 30, "light of objects", parse)) return *kept;
     auto traced = traceObjectLight(p, tables, seconds, control);
     if (traced) keep(key, *traced);
@@ -344,6 +347,12 @@ void take(const Project& p, LightState& s, LitBy by, Result<std::vector<TracedOb
     s.sky = glm::vec3(-1);
 }
 
+// Waits until nothing has changed for a while: during a stroke each frame asks anew. False: something has.
+bool isSettled(const JobControl& control) {
+    for (int i = 0; i < 20 && !control.cancelled(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(25));
+    return !control.cancelled();
+}
+
 // Where one may wait, waits; else traces beside.
 void update(DrawContext& ctx, LightState& s) {
     LitBy by = litBy(ctx.project, ctx.settings.time, s.scatters);
@@ -352,17 +361,19 @@ void update(DrawContext& ctx, LightState& s) {
     const double seconds = ctx.settings.time;
     if (!ctx.settings.background) {
         JobControl control;
-        const uint64_t key = keyOf(ctx.project, by);
-        return take(ctx.project, s, std::move(by), objectLight(ctx.project, ctx.tables, seconds, key, control));
+        auto made = objectLight(ctx.project, ctx.tables, seconds, by, control);
+        return take(ctx.project, s, std::move(by), std::move(made));
     }
-    if (!s.wanted || !(*s.wanted == by)) s.bake = {}, s.wanted = by, s.wantedKey = keyOf(ctx.project, by);
-    if (auto made = s.bake.take(s.wantedKey)) return take(ctx.project, s, std::move(by), std::move(*made));
+    if (!s.wanted || !(*s.wanted == by)) s.bake = {}, s.wanted = by, ++s.wantedNumber;
+    if (auto made = s.bake.take(s.wantedNumber)) return take(ctx.project, s, std::move(by), std::move(*made));
     if (s.bake.active()) return;
     const auto copy = std::make_shared<Project>(snapshot(ctx.project, ctx.tables.components));
-    s.bake = Job<std::vector<TracedObject>>("light around objects", s.wantedKey,
-                                            [copy, tables = &ctx.tables, seconds, key = s.wantedKey](JobControl& c) {
-                                                return objectLight(*copy, *tables, seconds, key, c);
-                                            });
+    s.bake = Job<std::vector<TracedObject>>(
+        "light around objects", s.wantedNumber,
+        [copy, tables = &ctx.tables, seconds, by = std::move(by)](JobControl& c) -> Result<std::vector<TracedObject>> {
+            if (!isSettled(c)) return failed("cancelled");
+            return objectLight(*copy, *tables, seconds, by, c);
+        });
 }
 
 // Under the frame's own lights.
