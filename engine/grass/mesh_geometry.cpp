@@ -250,7 +250,10 @@ void uploadCommands(DrawContext& ctx, MeshGeometryView& view) {
             for (const DrawCommand& c : commands)
                 ctx.stats.bladesGeometry += c.count / (6 * static_cast<uint32_t>(quads));
         }
-    if (!all.empty()) writeBuffer(ctx.gpu, view.commands, kOwner, all.size() * sizeof(DrawCommand), all.data());
+    if (all.empty())
+        view.commands = {};
+    else
+        writeBuffer(ctx.gpu, view.commands, kOwner, all.size() * sizeof(DrawCommand), all.data());
 }
 
 void select(DrawContext& ctx) {

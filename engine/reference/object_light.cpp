@@ -28,11 +28,11 @@
 namespace sward {
 namespace {
 
-constexpr uint32_t kVersion = 1;  // of the method: another one finds other light
+constexpr uint32_t kVersion = 2;  // of the method: another one finds other light
 constexpr int kWays = 64;         // from a point, over the whole sphere
 constexpr int kBounces = 3;
-constexpr double kPerM2 = 80;  // points; at least kFewest a mesh, or one for two of its vertices, at most kMost
-constexpr size_t kFewest = 256, kMost = 16384;
+constexpr double kPerM2 = 80;  // points; from one for two vertices of a mesh to two for each, and at least kFewest
+constexpr size_t kFewest = 256;
 constexpr double kOff = 2e-3;  // metres by which rays start off a surface
 
 // Directions spread evenly over the sphere, along a spiral of golden angles that begins by chance.
@@ -45,6 +45,7 @@ glm::vec3 wayOf(int i, float up, float turned) {
 }  // namespace
 
 struct AroundTracer::Impl {
+    Project project;  // without wind, which would lean trees as it happens to blow
     std::optional<Solids> solids;
     FrameGlobals globals{};
     f32::SkyModel sky{};
@@ -98,9 +99,11 @@ AroundTracer::~AroundTracer() = default;
 
 Result<AroundTracer> AroundTracer::make(const Project& p, const Tables& tables, double seconds,
                                         const JobControl& control) {
-    auto solids = Solids::make(p, seconds, control);
-    if (!solids) return solids.error();
     auto impl = std::make_unique<Impl>();
+    impl->project = snapshot(p, tables.components);
+    for (const auto& [name, e] : impl->project.entities) impl->project.registry.remove<Wind>(e);
+    auto solids = Solids::make(impl->project, seconds, control);
+    if (!solids) return solids.error();
     impl->solids = std::move(*solids);
     const FeatureSet features = sceneFeatures(p.registry, tables);
     impl->hasSun = has(features, Feature::Sun), impl->hasSky = has(features, Feature::Sky);
@@ -111,7 +114,7 @@ Result<AroundTracer> AroundTracer::make(const Project& p, const Tables& tables, 
     SkySums sums;
     if (impl->hasSky) addSky(impl->globals, p, seconds, sums, impl->air ? &*impl->air : nullptr);
     if (impl->hasSky) impl->sky = f32::skyModel(impl->globals.skySun, impl->globals.turbidity);
-    for (const auto& [name, field] : fieldsOf(p)) impl->fields.push_back(&field.grows);
+    for (const auto& [name, field] : fieldsOf(impl->project)) impl->fields.push_back(&field.grows);
     return AroundTracer(std::move(impl));
 }
 
@@ -148,9 +151,8 @@ bool isInGround(const Ground& ground, const glm::dvec3& at) {
 }
 
 size_t pointsOf(const Mesh& mesh, double scale) {
-    const double asked = surfaceArea(mesh) * scale * scale * kPerM2;
-    return static_cast<size_t>(std::clamp(asked, static_cast<double>(std::max(kFewest, mesh.vertices.size() / 2)),
-                                          static_cast<double>(kMost)));
+    const auto asked = static_cast<size_t>(std::min(surfaceArea(mesh) * scale * scale * kPerM2, 1e9));
+    return std::max(std::clamp(asked, mesh.vertices.size() / 2, 2 * mesh.vertices.size()), kFewest);
 }
 
 glm::vec3 mixedAt(const Mesh& mesh, const SurfacePoint& p, glm::vec3 MeshVertex::*member) {

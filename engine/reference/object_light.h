@@ -29,14 +29,14 @@ struct TracedObject {
     std::vector<AroundFactors> vertices;  // as its mesh has them
 };
 // Objects with the bakeLight "traced" that stay where they are and whose meshes are small enough, in the order of
-// placedMeshes. seconds: scene time of sun and wind. Errors: a file that cannot be read; Failed without memory or when
-// cancelled.
+// placedMeshes. seconds: scene time of the sun; trees stand as without wind. Errors: a file that cannot be read; Failed
+// without memory or when cancelled.
 Result<std::vector<TracedObject>> traceObjectLight(const Project& p, const Tables& tables, double seconds,
                                                    JobControl& control);
 // The same on a single point of a surface, at terrain-relative metres; n: unit.
 class AroundTracer {
   public:
-    // p must outlive it.
+    // Takes a copy (maps share their tiles).
     static Result<AroundTracer> make(const Project& p, const Tables& tables, double seconds, const JobControl& control);
     AroundTracer(AroundTracer&&) noexcept;
     AroundTracer& operator=(AroundTracer&&) noexcept;
