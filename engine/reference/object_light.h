@@ -5,8 +5,9 @@
 // a path goes on by chance, up to kBounces times. What grows on the terrain colours it (world/land.h). Linear in sun,
 // sky and plain: their colours and strengths may change without tracing anew.
 // Does not: light of lamps; grass on objects, which shades what is below by itself (grass/mesh_grass.h); what rolls;
-// meshes of more than kMostLitVertices. Cost: about 20,000 vertices a second on two cores; 36 bytes a vertex in the
-// cache folder, 8 on the GPU.
+// meshes of more than kMostLitVertices. Cost on two cores: 1 s for the 32,000 vertices of rockery; 11 s for the 6,000
+// of oasis, whose palms have a million triangles that rays get past. 36 bytes a vertex in the cache folder, 8 on the
+// GPU.
 #pragma once
 #include <memory>
 
