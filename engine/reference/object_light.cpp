@@ -316,7 +316,6 @@ uint64_t keyOf(const Project& p, const LitBy& by) {
 }
 
 // --- the effect
-// --------------------------------------------------------------------------------------------------------
 struct LightState : EffectState {
     ObjectLight shown;
     ScatterMemory scatters;

@@ -1,6 +1,6 @@
 // Numbers at a mesh's vertices that come nearest, over its surface, to what was found at points of it: what lies
 // between vertices counts, too, and a wall of four corners under a roof is as bright as its middle (Kavan, Bargteil and
-// Sloan 2011, "Least squares vertex baking"). Does not: find anything. Cost: 10 us a point.
+// Sloan 2011, "Least squares vertex baking"). Does not: find anything. Cost: about 20 us a point.
 #pragma once
 #include <array>
 #include <span>
