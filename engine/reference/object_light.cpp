@@ -28,12 +28,13 @@
 namespace sward {
 namespace {
 
-constexpr uint32_t kVersion = 2;  // of the method: another one finds other light
+constexpr uint32_t kVersion = 4;  // of the method: another one finds other light
 constexpr int kWays = 64;         // from a point, over the whole sphere
 constexpr int kBounces = 3;
 constexpr double kPerM2 = 80;  // points; from one for two vertices of a mesh to two for each, and at least kFewest
 constexpr size_t kFewest = 256;
-constexpr double kOff = 2e-3;  // metres by which rays start off a surface
+constexpr float kUnreached = 0.05f;  // what a point counts that no light reaches
+constexpr double kOff = 2e-3;        // metres by which rays start off a surface
 
 // Directions spread evenly over the sphere, along a spiral of golden angles that begins by chance.
 glm::vec3 wayOf(int i, float up, float turned) {
@@ -170,7 +171,8 @@ AroundFactors factorsOf(const FittedRow& r) {
             glm::max(glm::vec3(r[6], r[7], r[8]), glm::vec3(0))};
 }
 
-// What lies in the ground is not seen, and says nothing of what does not.
+// What lies in the ground is not seen, and says nothing of what does not; what no light reaches most likely lies in
+// another part of the mesh, as a branch does in its trunk, and says little.
 void lightVertices(const AroundTracer& tracer, const Ground& ground, const PlacedMesh& m, const Mesh& mesh,
                    const JobControl& control, std::vector<AroundFactors>& out) {
     const auto scale = static_cast<double>(m.mesh->scale);
@@ -184,6 +186,7 @@ void lightVertices(const AroundTracer& tracer, const Ground& ground, const Place
         if (control.cancelled()) return;
         const glm::dvec3 n = m.turn * glm::dvec3(mixedAt(mesh, points[i], &MeshVertex::normal));
         found[i] = rowOf(tracer.at(placeOf(points[i]), glm::vec3(glm::normalize(n)), static_cast<uint32_t>(i)));
+        if (found[i] == FittedRow{}) points[i].counts = kUnreached;
     });
     const std::vector<FittedRow> rows = fitVertices(mesh, points, found);
     for (size_t i = 0; i < out.size(); ++i) out[i] = factorsOf(rows[i]);

@@ -5,9 +5,8 @@
 // a path goes on by chance, up to kBounces times. What grows on the terrain colours it (world/land.h). Linear in sun,
 // sky and plain: their colours and strengths may change without tracing anew.
 // Does not: light of lamps; grass on objects, which shades what is below by itself (grass/mesh_grass.h); what rolls;
-// meshes of more than kMostLitVertices. Cost on two cores: 1 s for the 32,000 vertices of rockery; 11 s for the 6,000
-// of oasis, whose palms have a million triangles that rays get past. 36 bytes a vertex in the cache folder, 8 on the
-// GPU.
+// meshes of more than kMostLitVertices. Cost on two cores: 1 s for the 32,000 vertices of rockery, 17 s for the 510,000
+// of park, most of them of leaves. 36 bytes a vertex in the cache folder, 8 on the GPU.
 #pragma once
 #include <memory>
 
@@ -17,7 +16,7 @@
 
 namespace sward {
 
-inline constexpr size_t kMostLitVertices = 32768;  // of a mesh: a tree of leaves is lit as on open ground
+inline constexpr size_t kMostLitVertices = 131072;  // of a mesh: a denser one is lit as on open ground
 
 // Light from all around on a surface, divided by pi, as factors.
 struct AroundFactors {

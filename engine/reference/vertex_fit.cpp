@@ -53,7 +53,7 @@ struct Equations {
         FittedRows out(x.size(), FittedRow{});
         for (const SurfacePoint& p : points) {
             FittedRow here{};
-            for (int k = 0; k < 3; ++k) addTimes(here, p.weights[k], x[placeOf(p, k)]);
+            for (int k = 0; k < 3; ++k) addTimes(here, p.counts * p.weights[k], x[placeOf(p, k)]);
             for (int k = 0; k < 3; ++k) addTimes(out[placeOf(p, k)], p.weights[k], here);
         }
         for (const auto& [a, b] : edges)
@@ -135,7 +135,8 @@ std::vector<FittedRow> fitVertices(const Mesh& mesh, std::span<const SurfacePoin
     e.edges.erase(std::unique(e.edges.begin(), e.edges.end()), e.edges.end());
     FittedRows right(places, FittedRow{});
     for (size_t i = 0; i < points.size(); ++i)
-        for (int k = 0; k < 3; ++k) addTimes(right[e.placeOf(points[i], k)], points[i].weights[k], found[i]);
+        for (int k = 0; k < 3; ++k)
+            addTimes(right[e.placeOf(points[i], k)], points[i].counts * points[i].weights[k], found[i]);
     const FittedRows x = solve(e, right);
     for (size_t i = 0; i < out.size(); ++i) out[i] = x[e.place[i]];
     return out;

@@ -112,6 +112,27 @@ TEST(ObjectLight, AWallUnderARoofIsAsBrightAsItsMiddle) {
     EXPECT_LT(corners / n, 0.8 * whole) << "found at the corners themselves it would be darker";
 }
 
+// A pillar of four corners a side that stands three quarters deep in a block.
+TEST(ObjectLight, WhatLiesInAnotherPartDoesNotDarkenWhatStandsOut) {
+    const TempDir dir;
+    Project p = plain(dir);
+    putObject(p, "pillar", {{.size = {0.4f, 4, 0.4f}}, {.size = {2, 3, 2}}}, {2000, 0, 2000});
+    const auto traced = tracedOf(p);
+    ASSERT_EQ(traced.size(), 1u);
+    const auto mesh = readMesh(p.dir, "pillar.glb");
+    ASSERT_TRUE(mesh);
+    double low = 0, high = 0;
+    int n = 0;
+    for (size_t i = 0; i < mesh->vertices.size(); ++i) {
+        const MeshVertex& v = mesh->vertices[i];
+        if (v.normal.x < 0.9f || std::abs(v.position.x - 0.2f) > 0.01f) continue;
+        (v.position.y > 2 ? high : low) += double(traced[0].vertices[i].sky.y) / 2, ++n;
+    }
+    ASSERT_EQ(n, 4);
+    const double open = double(meanAt(tracerOf(p), {2000.2, 3.5, 2000}, {1, 0, 0}).sky.y);
+    EXPECT_NEAR(low / 8 + 7 * high / 8, open, 0.07 * open) << "0.67 of it were all points to count alike";
+}
+
 TEST(ObjectLight, IsOfWhatAsksForItStaysWhereItIsAndIsSmallEnough) {
     const TempDir dir;
     Project p = plain(dir);
@@ -119,13 +140,13 @@ TEST(ObjectLight, IsOfWhatAsksForItStaysWhereItIsAndIsSmallEnough) {
     for (const char* name : {"a", "b", "c", "d"}) putObject(p, name, cube, {2000, 0, 2000});
     p.registry.get<StaticMesh>(findEntity(p, "b"))->bakeLight = BakeLight::Local;
     put<Rolling>(p, "c");
-    putObject(p, "d", {{.kind = SolidKind::Leaves, .size = {1, 1, 1}, .count = 20000, .leaf = 0.05f}}, {2010, 0, 2000});
+    putObject(p, "d", {{.kind = SolidKind::Leaves, .size = {1, 1, 1}, .count = 40000, .leaf = 0.05f}}, {2010, 0, 2000});
     const auto traced = tracedOf(p);
     ASSERT_EQ(traced.size(), 2u);
     EXPECT_EQ(traced[0].entity, findEntity(p, "a"));
     EXPECT_FALSE(traced[0].vertices.empty());
     EXPECT_EQ(traced[1].entity, findEntity(p, "d"));
-    EXPECT_TRUE(traced[1].vertices.empty()) << "as many vertices as a tree has";
+    EXPECT_TRUE(traced[1].vertices.empty()) << "160,000 vertices";
     EXPECT_TRUE(has(sceneFeatures(p.registry, tables()), Feature::ObjectLight));
     for (const char* name : {"a", "d"}) p.registry.get<StaticMesh>(findEntity(p, name))->bakeLight = BakeLight::Local;
     EXPECT_FALSE(has(sceneFeatures(p.registry, tables()), Feature::ObjectLight)) << "what rolls does not ask for it";
