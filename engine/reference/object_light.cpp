@@ -28,11 +28,11 @@
 namespace sward {
 namespace {
 
-constexpr uint32_t kVersion = 4;  // of the method: another one finds other light
+constexpr uint32_t kVersion = 5;  // of the method: another one finds other light
 constexpr int kWays = 64;         // from a point, over the whole sphere
 constexpr int kBounces = 3;
 constexpr double kPerM2 = 80;  // points; from one for two vertices of a mesh to two for each, and at least kFewest
-constexpr size_t kFewest = 256;
+constexpr size_t kFewest = 1024;
 constexpr float kUnreached = 0.05f;  // what a point counts that no light reaches
 constexpr double kOff = 2e-3;        // metres by which rays start off a surface
 
