@@ -39,6 +39,7 @@ struct ShadowCaster {
     glm::vec3 centre{0};  // of a ball around all of them, relative to the eye
     float radius = 0;
     GLsizei instances = 1;
+    bool behind = false;  // only what looks away from the light shades; triangles are counter-clockwise from outside
 };
 
 // The terrain's nodes as they are drawn this frame, for layers that lie on it.

@@ -2,10 +2,12 @@
 
 #include "core/log.h"
 #include "frame/draw_context.h"
+#include "frame/gpu_mesh.h"
 #include "frame/object_light.h"
 #include "grass/field.h"
 #include "grass/mesh_grass_settings.h"
 #include "grass/mesh_planting.h"
+#include "grass/mesh_shadow.h"
 #include "grass/on_mesh.h"
 #include "grass/raytraced_settings.h"
 #include "grass/slice_gains.h"
@@ -29,6 +31,7 @@ struct GpuCarrier {
 };
 struct CarrierState : EffectState {
     std::map<std::string, GpuCarrier> carriers;  // by file
+    std::map<uint32_t, MeshShadow> shadows;      // by Entity::index, where objects cast shadows
 };
 
 // A mesh that carries grass, where this view has it.
@@ -56,6 +59,7 @@ struct ShellView : EffectState {
     float endsAt = 0;            // metres over the surface at which those sides are drawn
     std::vector<Shell> shells;   // nearest first
     PerSpecies<Buffer> globals;  // SliceGlobals in the patch's own cells
+    Buffer casters;              // ObjectInstance, of the shells that cast shadows
 };
 
 void describe(const VertexArray& array, const Buffer& vertices) {
@@ -151,6 +155,34 @@ void writeGlobals(DrawContext& ctx, ShellView& view) {
     });
 }
 
+float grazedHeight(const Field& field) {
+    float high = 0;
+    for (const FieldSpecies& s : field.species) high = std::max(high, s.grown->look.grazed);
+    return high;
+}
+
+void castShadows(DrawContext& ctx, CarrierState& state, ShellView& view) {
+    std::map<uint32_t, MeshShadow> kept;
+    std::vector<ObjectInstance> rows;
+    std::vector<std::pair<const MeshShadow*, PlacedMesh>> casting;
+    const bool maps = has(ctx.plan.features, Feature::ObjectShadows) || has(ctx.plan.features, Feature::LampShadows);
+    for (const Shell& shell : view.shells) {
+        if (!maps) break;
+        const PlacedMesh placed = placeMesh(ctx.project, ctx.shared.ground, shell.of.entity);
+        if (!placed.mesh->castShadows || !shell.field->view->settings<GrassDrawing>().groundShadows) continue;
+        MeshShadow& shadow = kept[shell.of.entity.index] = std::move(state.shadows[shell.of.entity.index]);
+        updateMeshShadow(ctx, shadow, kOwner, shell.carrier->shape, shell.carrier->version, shell.of.grows->density,
+                         grazedHeight(*shell.field), shell.place.scale);
+        rows.push_back(instanceAt(placed.at - ctx.camera.eye, placed.turn * static_cast<double>(placed.mesh->scale)));
+        casting.push_back({&shadow, placed});
+    }
+    state.shadows = std::move(kept);
+    if (rows.empty()) return void(view.casters = {});
+    writeBuffer(ctx.gpu, view.casters, kOwner, rows.size() * sizeof(ObjectInstance), rows.data());
+    for (size_t i = 0; i < casting.size(); ++i)
+        castMeshShadow(ctx, *casting[i].first, casting[i].second, view.casters, i);
+}
+
 void select(DrawContext& ctx) {
     CarrierState& state = ctx.own<CarrierState>();
     ShellView& view = ctx.ofView<ShellView>();
@@ -177,6 +209,7 @@ void select(DrawContext& ctx) {
     size_t parts = 0;
     for (Shell& shell : view.shells) shell.firstPart = std::exchange(parts, parts + shell.carrier->shape.parts);
     writeGlobals(ctx, view);
+    castShadows(ctx, state, view);
 }
 
 void setPlace(const DrawContext& ctx, const Shell& shell) {
@@ -374,12 +407,13 @@ std::vector<std::string> variants(bool inside) {
     return out;
 }
 
-const System kSystems[] = {
-    {"grass/mesh-grass/bake",
-     {.reads = {Slot::Grown, Slot::Sun, Slot::SkyLight}, .appends = {Slot::Slices}},
-     bake,
-     true},
-    {"grass/mesh-grass/select", {.reads = {Slot::Grass, Slot::Ground, Slot::Sun, Slot::Slices}}, select}};
+const System kSystems[] = {{"grass/mesh-grass/bake",
+                            {.reads = {Slot::Grown, Slot::Sun, Slot::SkyLight}, .appends = {Slot::Slices}},
+                            bake,
+                            true},
+                           {"grass/mesh-grass/select",
+                            {.reads = {Slot::Grass, Slot::Ground, Slot::Sun, Slot::Slices}, .appends = {Slot::Casters}},
+                            select}};
 const ProgramRow kPrograms[] = {{"grass/mesh-grass", "grass/mesh_grass.vert.glsl", "grass/mesh_grass.frag.glsl",
                                  nullptr, [] { return variants(false); }},
                                 {"grass/mesh-grass/inside", "grass/mesh_grass.vert.glsl", "grass/mesh_grass.frag.glsl",

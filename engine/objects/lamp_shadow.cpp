@@ -128,9 +128,10 @@ void drawFace(DrawContext& ctx, const LampShadowState& s, const LightGlobals& li
     const float reach = seenTo(light);
     beginShadowMap(s.maps, layer + face);
     setRows({row(f.right, share), row(f.up, share), glm::vec4(0, 0, 0, near), row(f.ahead, 1)});
+    const bool inMirror = glm::dot(glm::cross(f.right, f.up), f.ahead) > 0;
     for (const ShadowCaster& c : ctx.shared.casters) {
         const glm::vec3 from = c.centre - light.place;
-        if (glm::length(from) - c.radius < reach && inFace(f, from, c.radius)) drawCaster(ctx, c);
+        if (glm::length(from) - c.radius < reach && inFace(f, from, c.radius)) drawCaster(ctx, c, inMirror);
     }
 }
 

@@ -66,13 +66,25 @@ void beginShadowMap(const ShadowMaps& maps, int layer) {
     glClearNamedFramebufferfv(target, GL_DEPTH, 0, &farthest);
 }
 
-void drawCaster(DrawContext& ctx, const ShadowCaster& c) {
+namespace {
+
+// Leaves out what faces the light; or, off, goes back to what the view draws.
+void cullFacing(const DrawContext& ctx, bool on, bool inMirror) {
+    if (on) glEnable(GL_CULL_FACE), glCullFace(GL_FRONT), glFrontFace(inMirror ? GL_CW : GL_CCW);
+    if (!on) glDisable(GL_CULL_FACE), glCullFace(GL_BACK), glFrontFace(ctx.globals.mirrored != 0 ? GL_CW : GL_CCW);
+}
+
+}  // namespace
+
+void drawCaster(DrawContext& ctx, const ShadowCaster& c, bool inMirror) {
     glUniform1f(0, c.image ? c.cutoff : 0.0f);
     if (c.image) glBindTextureUnit(TEX_OBJECT, c.image);
+    if (c.behind) cullFacing(ctx, true, inMirror);
     glBindVertexArray(c.vertexArray);
     glDrawElementsInstancedBaseInstance(GL_TRIANGLES, static_cast<GLsizei>(c.indices), GL_UNSIGNED_INT,
                                         reinterpret_cast<const void*>(size_t(c.firstIndex) * 4), c.instances,
                                         c.instance);
+    if (c.behind) cullFacing(ctx, false, inMirror);
     ctx.pass->draws += 1;
     ctx.pass->instances += static_cast<uint64_t>(c.instances);
 }

@@ -34,6 +34,7 @@ bool shadesWithin(const LightAxes& axes, const ShadowCaster& caster, float reach
 // Draws into a map from now on, after emptying it.
 void beginShadowMap(const ShadowMaps& maps, int layer);
 // Draws the caster by the current program, which has its alpha's cutoff at location 0, and counts it for the pass.
-void drawCaster(DrawContext& ctx, const ShadowCaster& caster);
+// inMirror: the map shows left and right exchanged.
+void drawCaster(DrawContext& ctx, const ShadowCaster& caster, bool inMirror = false);
 
 }  // namespace sward
