@@ -26,6 +26,7 @@ size_t formatBytes(GLenum format) {
         case GL_RGBA16:
         case GL_RGBA16F:
         case GL_RG32F:
+        case GL_RG32UI:
         case GL_DEPTH32F_STENCIL8:
             return 8;
         case GL_RGB8:

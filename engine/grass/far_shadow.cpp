@@ -41,14 +41,14 @@ void drawFarShadow(DrawContext& ctx) {
 
 const ProgramRow kFarShadowPrograms[] = {
     {"grass/far-shadow", "terrain/ground.vert.glsl", "grass/far_shadow.frag.glsl", nullptr, fieldVariants}};
-const Pass kFarShadowPasses[] = {
-    {"grass/far-shadow",
-     Stage::FarShadow,
-     kViewMain,
-     {.reads = {Slot::Grass, Slot::GroundNodes, Slot::FarGround, Slot::Forces, Slot::Shadows, Slot::Lamps},
-      .appends = {Slot::SceneColor}},
-     kFarShadowPrograms,
-     drawFarShadow}};
+const Pass kFarShadowPasses[] = {{"grass/far-shadow",
+                                  Stage::FarShadow,
+                                  kViewMain,
+                                  {.reads = {Slot::Grass, Slot::GroundNodes, Slot::FarGround, Slot::Forces,
+                                             Slot::Shadows, Slot::ObjectLight, Slot::Lamps},
+                                   .appends = {Slot::SceneColor}},
+                                  kFarShadowPrograms,
+                                  drawFarShadow}};
 
 }  // namespace
 

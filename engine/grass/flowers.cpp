@@ -205,16 +205,16 @@ void draw(DrawContext& ctx) {
 
 const System kSystems[] = {{"grass/flowers/cells", {.reads = {Slot::Ground}}, update}};
 const ProgramRow kPrograms[] = {{"grass/flowers", "grass/flowers.vert.glsl", "grass/flowers.frag.glsl", nullptr}};
-const Pass kPasses[] = {
-    {"grass/flowers",
-     Stage::Flowers,
-     kViewMain,
-     {.reads = {Slot::Grass, Slot::Forces, Slot::Shadows}, .appends = {Slot::SceneColor, Slot::SceneDepth}},
-     kPrograms,
-     draw,
-     featureSet(Feature::GrassBlended),
-     false,
-     true}};
+const Pass kPasses[] = {{"grass/flowers",
+                         Stage::Flowers,
+                         kViewMain,
+                         {.reads = {Slot::Grass, Slot::Forces, Slot::Shadows, Slot::ObjectLight},
+                          .appends = {Slot::SceneColor, Slot::SceneDepth}},
+                         kPrograms,
+                         draw,
+                         featureSet(Feature::GrassBlended),
+                         false,
+                         true}};
 
 }  // namespace
 

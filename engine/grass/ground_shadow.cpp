@@ -119,15 +119,15 @@ const System kSystems[] = {{"grass/ground-shadow/cells",
                             prepare}};
 const ProgramRow kPrograms[] = {
     {"grass/ground-shadow", "grass/ground_shadow.vert.glsl", "grass/ground_shadow.frag.glsl", nullptr}};
-const Pass kPasses[] = {
-    {.name = "grass/ground-shadow",
-     .stage = Stage::GroundShadow,
-     .views = kViewMain,
-     .uses = {.reads = {Slot::Grass, Slot::Blades, Slot::BladeCells, Slot::Forces, Slot::Shadows, Slot::Lamps},
-              .appends = {Slot::SceneColor}},
-     .programs = kPrograms,
-     .draw = draw,
-     .stencil = true}};
+const Pass kPasses[] = {{.name = "grass/ground-shadow",
+                         .stage = Stage::GroundShadow,
+                         .views = kViewMain,
+                         .uses = {.reads = {Slot::Grass, Slot::Blades, Slot::BladeCells, Slot::Forces, Slot::Shadows,
+                                            Slot::ObjectLight, Slot::Lamps},
+                                  .appends = {Slot::SceneColor}},
+                         .programs = kPrograms,
+                         .draw = draw,
+                         .stencil = true}};
 
 }  // namespace
 

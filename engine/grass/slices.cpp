@@ -348,24 +348,26 @@ const System kSliceSystems[] = {
 const ProgramRow kFarPrograms[] = {{"grass/far", "grass/far.vert.glsl", "grass/far.frag.glsl", nullptr, fieldVariants}};
 const ProgramRow kSlicePrograms[] = {
     {"grass/slices", "grass/slices.vert.glsl", "grass/slices.frag.glsl", nullptr, fieldVariants}};
-const Pass kFarPasses[] = {{"grass/far",
-                            Stage::Far,
-                            kViewMain | kViewReflection,
-                            {.reads = {Slot::Grass, Slot::GroundNodes, Slot::FarGround, Slot::Forces, Slot::Shadows},
-                             .appends = {Slot::SceneColor, Slot::SceneDepth}},
-                            kFarPrograms,
-                            drawFar,
-                            featureSet(Feature::GrassBlended)}};
-const Pass kSlicePasses[] = {{"grass/slices",
-                              Stage::Slices,
-                              kViewMain | kViewReflection,
-                              {.reads = {Slot::Grass, Slot::Slices, Slot::FarGround, Slot::Forces, Slot::Shadows},
-                               .appends = {Slot::SceneColor, Slot::SceneDepth}},
-                              kSlicePrograms,
-                              drawSlices,
-                              featureSet(Feature::GrassBlended),
-                              false,
-                              true}};
+const Pass kFarPasses[] = {
+    {"grass/far",
+     Stage::Far,
+     kViewMain | kViewReflection,
+     {.reads = {Slot::Grass, Slot::GroundNodes, Slot::FarGround, Slot::Forces, Slot::Shadows, Slot::ObjectLight},
+      .appends = {Slot::SceneColor, Slot::SceneDepth}},
+     kFarPrograms,
+     drawFar,
+     featureSet(Feature::GrassBlended)}};
+const Pass kSlicePasses[] = {
+    {"grass/slices",
+     Stage::Slices,
+     kViewMain | kViewReflection,
+     {.reads = {Slot::Grass, Slot::Slices, Slot::FarGround, Slot::Forces, Slot::Shadows, Slot::ObjectLight},
+      .appends = {Slot::SceneColor, Slot::SceneDepth}},
+     kSlicePrograms,
+     drawSlices,
+     featureSet(Feature::GrassBlended),
+     false,
+     true}};
 constexpr const char* kRepeats = "slices are images of one patch: grass that is drawn by them repeats it";
 constexpr const char* kSinks = "slices sink and lean";
 constexpr const char* kLies = "the horizontal slice covers what sunk slices leave, as grass that lies";

@@ -12,139 +12,30 @@
 #include "core/numerics.h"
 #include "frame/object_light.h"
 #include "mesh/mesh_io.h"
-#include "reference/hemisphere.h"
-#include "reference/solids.h"
+#include "reference/scene_rays.h"
 #include "reference/vertex_fit.h"
 #include "scene/forest.h"
 #include "scene/technique.h"
 #include "shared/objects.h"
-#include "sky/air_tables.h"
-#include "sky/daylight.h"
 #include "world/forest_stand.h"
-#include "world/land.h"
 #include "world/lights.h"
 #include "world/scatter.h"
 
 namespace sward {
 namespace {
 
-constexpr uint32_t kVersion = 5;  // of the method: another one finds other light
-constexpr int kWays = 64;         // from a point, over the whole sphere
-constexpr int kBounces = 3;
-constexpr double kPerM2 = 80;  // points; from one for two vertices of a mesh to two for each, and at least kFewest
-constexpr size_t kFewest = 1024;
-constexpr float kUnreached = 0.05f;  // what a point counts that no light reaches
-constexpr double kOff = 2e-3;        // metres by which rays start off a surface
-
-// Directions spread evenly over the sphere, along a spiral of golden angles that begins by chance.
-glm::vec3 wayOf(int i, float up, float turned) {
-    const float y = 1 - 2 * (static_cast<float>(i) + up) / kWays, r = std::sqrt(std::max(1 - y * y, 0.0f));
-    const float turn = f32::kTau * (0.6180339887f * static_cast<float>(i) + turned);
-    return {r * std::cos(turn), y, r * std::sin(turn)};
-}
-
-}  // namespace
-
-struct AroundTracer::Impl {
-    Project project;  // without wind, which would lean trees as it happens to blow
-    std::optional<Solids> solids;
-    FrameGlobals globals{};
-    f32::SkyModel sky{};
-    std::optional<AirTables> air;
-    std::vector<const GrassField*> fields;
-    bool hasSky = false, hasSun = false;
-
-    // What comes from the sky, or from the plain below it.
-    void addBackground(AroundFactors& sum, const glm::vec3& weight, const glm::vec3& way) const {
-        if (!hasSky) return;
-        if (way.y < 0) {
-            sum.ground += weight;
-            return;
-        }
-        const glm::vec3 here =
-            (air ? skyOf(*air, globals.skySun, way) : f32::skyRadianceOf(sky, way)) * globals.skyGain;
-        sum.sky += weight * here / glm::max(globals.skyLight, glm::vec3(1e-6f));
-    }
-    glm::vec3 sentBy(const Surface& s) const {
-        const Terrain* t = solids->ground().terrain;
-        return s.met == Met::Ground && t ? groundSends(*t, fields, s.at.x, s.at.z, s.color) : s.color;
-    }
-    void addSun(AroundFactors& sum, const glm::vec3& weight, const Surface& s) const {
-        const float facing = glm::dot(s.normal, globals.sunDirection);
-        if (!hasSun || !(globals.sunIsUp > 0) || !(facing > 0)) return;
-        const Ray ray{s.at + glm::dvec3(s.face) * kOff, glm::normalize(glm::dvec3(globals.sunDirection))};
-        if (globals.sunCasts > 0 && solids->blocks(ray)) return;
-        sum.sun += weight * facing;
-    }
-    // Adds what comes along a ray.
-    void follow(AroundFactors& sum, glm::vec3 weight, Ray ray, uint32_t seed) const {
-        for (uint32_t bounce = 0; bounce < kBounces; ++bounce) {
-            const std::optional<Surface> s = solids->closest(ray);
-            if (!s) return addBackground(sum, weight, glm::vec3(ray.way));
-            weight *= sentBy(*s);
-            addSun(sum, weight, *s);
-            const uint32_t h = f32::hash2(seed, bounce);
-            const glm::vec3 on =
-                cosineAround(s->normal, f32::hashUnit(f32::hash2(h, 0)), f32::hashUnit(f32::hash2(h, 1)));
-            if (glm::dot(on, s->face) <= 0) return;
-            ray = {s->at + glm::dvec3(s->face) * kOff, glm::normalize(glm::dvec3(on))};
-            ray.grain = h;
-        }
-    }
-};
-
-AroundTracer::AroundTracer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
-AroundTracer::AroundTracer(AroundTracer&&) noexcept = default;
-AroundTracer& AroundTracer::operator=(AroundTracer&&) noexcept = default;
-AroundTracer::~AroundTracer() = default;
-
-Result<AroundTracer> AroundTracer::make(const Project& p, const Tables& tables, double seconds,
-                                        const JobControl& control) {
-    auto impl = std::make_unique<Impl>();
-    impl->project = snapshot(p, tables.components);
-    for (const auto& [name, e] : impl->project.entities) impl->project.registry.remove<Wind>(e);
-    auto solids = Solids::make(impl->project, seconds, control);
-    if (!solids) return solids.error();
-    impl->solids = std::move(*solids);
-    const FeatureSet features = sceneFeatures(p.registry, tables);
-    impl->hasSun = has(features, Feature::Sun), impl->hasSky = has(features, Feature::Sky);
-    impl->globals.exposure = 1;
-    if (impl->hasSun) addSun(impl->globals, p, seconds);
-    if (has(features, Feature::Fog)) addHaze(impl->globals, p);
-    if (has(features, Feature::Atmosphere)) addAir(impl->globals, p, seconds, impl->air.emplace());
-    SkySums sums;
-    if (impl->hasSky) addSky(impl->globals, p, seconds, sums, impl->air ? &*impl->air : nullptr);
-    if (impl->hasSky) impl->sky = f32::skyModel(impl->globals.skySun, impl->globals.turbidity);
-    for (const auto& [name, field] : fieldsOf(impl->project)) impl->fields.push_back(&field.grows);
-    return AroundTracer(std::move(impl));
-}
-
-AroundFactors AroundTracer::at(const glm::dvec3& position, const glm::vec3& n, uint32_t seed) const {
-    AroundFactors sum;
-    const float up = f32::hashUnit(f32::hash2(seed, 0xa1u)), turned = f32::hashUnit(f32::hash2(seed, 0xa2u));
-    for (int i = 0; i < kWays; ++i) {
-        const glm::vec3 way = wayOf(i, up, turned);
-        const float cosine = glm::dot(n, way);
-        if (!(cosine > 0)) continue;
-        const uint32_t h = f32::hash2(seed, static_cast<uint32_t>(i));
-        Ray ray{position + glm::dvec3(n) * kOff, glm::normalize(glm::dvec3(way))};
-        ray.grain = h;
-        impl_->follow(sum, glm::vec3(4 * cosine / kWays), ray, h);
-    }
-    return sum;
-}
-
-namespace {
-
-bool isLit(const Project& p, const PlacedMesh& m) {
-    return m.mesh->bakeLight == BakeLight::Traced && !p.registry.get<Rolling>(m.entity);
-}
+constexpr const char* kOwner = "objects/light";
+constexpr uint32_t kVersion = 10;      // of the method: another one finds other light
+constexpr double kPerM2 = 80;          // points; from one for two vertices of a mesh to two for each,
+constexpr size_t kFewest = 1024;       // and at least so many
+constexpr float kUnreached = 0.05f;    // what a point counts that no light reaches
+constexpr double kGroundsShare = 0.2;  // of the progress
 
 // A copy of the project may number its entities otherwise.
 void setEntities(const Project& p, std::vector<TracedObject>& objects) {
     size_t i = 0;
     for (const PlacedMesh& m : placedMeshes(p))
-        if (isLit(p, m) && i < objects.size()) objects[i++].entity = m.entity;
+        if (hasTracedLight(p, m) && i < objects.size()) objects[i++].entity = m.entity;
 }
 
 bool isInGround(const Ground& ground, const glm::dvec3& at) {
@@ -192,37 +83,66 @@ void lightVertices(const AroundTracer& tracer, const Ground& ground, const Place
     for (size_t i = 0; i < out.size(); ++i) out[i] = factorsOf(rows[i]);
 }
 
-// --- the file of the cache: of each object the number of its vertices, and their factors; last a hash of all that
+// --- the file of the cache: how many objects, of each the number of its vertices and their factors; then squares of
+// the ground, with their points' factors; last a hash of all that
 std::filesystem::path cacheFile(uint64_t key) { return cacheDir() / "objects" / (hashHex(key) + ".light"); }
 
-void keep(uint64_t key, const std::vector<TracedObject>& objects) {
+template <class T>
+void put(std::string& bytes, const T* values, size_t count = 1) {
+    bytes.append(reinterpret_cast<const char*>(values), count * sizeof(T));
+}
+
+void keep(uint64_t key, const TracedAround& light) {
     std::string bytes;
-    for (const TracedObject& o : objects) {
+    const uint64_t objects = light.objects.size();
+    put(bytes, &objects);
+    for (const TracedObject& o : light.objects) {
         const uint64_t count = o.vertices.size();
-        bytes.append(reinterpret_cast<const char*>(&count), sizeof(count));
-        bytes.append(reinterpret_cast<const char*>(o.vertices.data()), count * sizeof(AroundFactors));
+        put(bytes, &count), put(bytes, o.vertices.data(), count);
     }
+    for (const GroundTile& t : light.ground)
+        put(bytes, &t.cell), put(bytes, &t.side), put(bytes, t.change.data(), t.change.size());
     const uint64_t sum = hashBytes(bytes.data(), bytes.size());
-    bytes.append(reinterpret_cast<const char*>(&sum), sizeof(sum));
+    put(bytes, &sum);
     writeCached(cacheFile(key), "light of objects", bytes);
 }
 
-std::optional<std::vector<TracedObject>> parse(const std::string& bytes, std::string& wrong) {
-    uint64_t sum;
+// Reads what put() has written; `fits` ends where something is missing.
+struct Reading {
+    std::string_view rest;
+    bool fits = true;
+    template <class T>
+    void get(T* values, size_t count = 1) {
+        fits = fits && count <= rest.size() / sizeof(T);
+        if (!fits || count == 0) return;
+        std::memcpy(values, rest.data(), count * sizeof(T));
+        rest.remove_prefix(count * sizeof(T));
+    }
+    void get(std::vector<AroundFactors>& out, uint64_t count) {
+        fits = fits && count <= rest.size() / sizeof(AroundFactors);
+        if (fits) out.resize(count), get(out.data(), count);
+    }
+};
+
+std::optional<TracedAround> parse(const std::string& bytes, std::string& wrong) {
+    uint64_t sum, objects = 0;
     if (bytes.size() < sizeof(sum)) return wrong = "it is truncated", std::nullopt;
     const size_t end = bytes.size() - sizeof(sum);
     std::memcpy(&sum, bytes.data() + end, sizeof(sum));
     if (sum != hashBytes(bytes.data(), end)) return wrong = "it is damaged", std::nullopt;
-    std::vector<TracedObject> out;
-    for (size_t at = 0; at < end;) {
+    TracedAround out;
+    Reading from{std::string_view(bytes).substr(0, end)};
+    for (from.get(&objects); from.fits && objects > 0; --objects) {
         uint64_t count = 0;
-        if (end - at < sizeof(count)) return wrong = "it is damaged", std::nullopt;
-        std::memcpy(&count, bytes.data() + at, sizeof(count)), at += sizeof(count);
-        if (count > (end - at) / sizeof(AroundFactors)) return wrong = "it is damaged", std::nullopt;
-        out.emplace_back().vertices.resize(count);
-        std::memcpy(out.back().vertices.data(), bytes.data() + at, count * sizeof(AroundFactors));
-        at += count * sizeof(AroundFactors);
+        from.get(&count), from.get(out.objects.emplace_back().vertices, count);
     }
+    while (from.fits && !from.rest.empty()) {
+        GroundTile& t = out.ground.emplace_back();
+        from.get(&t.cell), from.get(&t.side);
+        from.fits = from.fits && t.side >= 2 && t.side <= AROUND_SIDE;
+        from.get(t.change, static_cast<uint64_t>(t.side) * static_cast<uint64_t>(t.side));
+    }
+    if (!from.fits) return wrong = "it is damaged", std::nullopt;
     return out;
 }
 
@@ -296,8 +216,8 @@ LitBy litBy(const Project& p, double seconds, ScatterMemory& scatters) {
     Adding add;
     const Ground ground = findGround(p);
     for (const PlacedMesh& m : placedMeshes(p))
-        by.things.push_back({m.entity, fileVersion(p.dir, m.mesh->file), m.at, m.turn, m.mesh->scale, isLit(p, m),
-                             m.mesh->castShadows});
+        by.things.push_back({m.entity, fileVersion(p.dir, m.mesh->file), m.at, m.turn, m.mesh->scale,
+                             hasTracedLight(p, m), m.mesh->castShadows});
     addTerrain(p, ground, add, by.maps);
     addFields(p, add, by.maps);
     for (const auto& [name, scatter] : scattersOf(p)) add(scatters.of(p, ground, name, *scatter)->hash);
@@ -322,33 +242,33 @@ uint64_t keyOf(const Project& p, const LitBy& by) {
 struct LightState : EffectState {
     ObjectLight shown;
     ScatterMemory scatters;
-    std::vector<TracedObject> traced;
+    TracedAround traced;
     std::optional<LitBy> of;      // what `traced` is of
     std::optional<LitBy> wanted;  // what the job makes
     uint64_t wantedNumber = 0;    // counts what was wanted
-    Job<std::vector<TracedObject>> bake;
-    glm::vec3 sky{-1}, sun{-1}, ground{-1};  // by which the vertices are lit
+    Job<TracedAround> bake;
+    std::optional<AroundLights> by;  // what `shown` is lit by
     void jobs(std::vector<JobNews>& out) const override {
         if (bake.active()) out.push_back(bake.news());
     }
 };
 
 // From the cache folder, or traced and kept there.
-Result<std::vector<TracedObject>> objectLight(const Project& p, const Tables& tables, double seconds, const LitBy& by,
-                                              JobControl& control) {
+Result<TracedAround> objectLight(const Project& p, const Tables& tables, double seconds, const LitBy& by,
+                                 JobControl& control) {
     const uint64_t key = keyOf(p, by);
-    if (auto kept = loadCached(cacheFile(key), uint64_t{1} << 30, "light of objects", parse)) return *kept;
+    if (auto kept = loadCached(cacheFile(key), uint64_t{1} << 30, "light of objects", parse)) return std::move(*kept);
     auto traced = traceObjectLight(p, tables, seconds, control);
     if (traced) keep(key, *traced);
     return traced;
 }
 
-void take(const Project& p, LightState& s, LitBy by, Result<std::vector<TracedObject>> made) {
+void take(const Project& p, LightState& s, LitBy by, Result<TracedAround> made) {
     if (!made) logWarning("light around objects is missing: " + made.error().text());
-    s.traced = made ? std::move(*made) : std::vector<TracedObject>{};
-    setEntities(p, s.traced);
+    s.traced = made ? std::move(*made) : TracedAround{};
+    setEntities(p, s.traced.objects);
     s.of = std::move(by);  // what failed is not tried again until something is changed
-    s.sky = glm::vec3(-1);
+    s.by.reset();
 }
 
 // Waits until nothing has changed for a while: during a stroke each frame asks anew. False: something has.
@@ -372,30 +292,57 @@ void update(DrawContext& ctx, LightState& s) {
     if (auto made = s.bake.take(s.wantedNumber)) return take(ctx.project, s, std::move(by), std::move(*made));
     if (s.bake.active()) return;
     const auto copy = std::make_shared<Project>(snapshot(ctx.project, ctx.tables.components));
-    s.bake = Job<std::vector<TracedObject>>(
+    s.bake = Job<TracedAround>(
         "light around objects", s.wantedNumber,
-        [copy, tables = &ctx.tables, seconds, by = std::move(by)](JobControl& c) -> Result<std::vector<TracedObject>> {
+        [copy, tables = &ctx.tables, seconds, by = std::move(by)](JobControl& c) -> Result<TracedAround> {
             if (!isSettled(c)) return failed("cancelled");
             return objectLight(*copy, *tables, seconds, by, c);
         });
 }
 
-// Under the frame's own lights.
-void upload(DrawContext& ctx, LightState& s) {
-    const FrameGlobals& g = ctx.globals;
-    if (s.sky == g.skyLight && s.sun == g.sunLight && s.ground == g.groundLight) return;
-    s.sky = g.skyLight, s.sun = g.sunLight, s.ground = g.groundLight;
+void uploadVertices(DrawContext& ctx, LightState& s) {
     s.shown.first.clear();
     std::vector<glm::uvec2> packed;
-    for (const TracedObject& o : s.traced) {
+    for (const TracedObject& o : s.traced.objects) {
         if (o.vertices.empty()) continue;
         s.shown.first[o.entity.index] = static_cast<uint32_t>(packed.size());
         for (const AroundFactors& f : o.vertices) {
-            const glm::vec3 light = glm::min(f.sky * s.sky + f.sun * s.sun + f.ground * s.ground, glm::vec3(65504.0f));
+            const glm::vec3 light = glm::min(lightBy(f, *s.by), glm::vec3(65504.0f));
             packed.push_back({glm::packHalf2x16({light.x, light.y}), glm::packHalf2x16({light.z, 0})});
         }
     }
-    writeBuffer(ctx.gpu, s.shown.vertices, "objects/light", packed.size() * sizeof(glm::uvec2), packed.data());
+    writeBuffer(ctx.gpu, s.shown.vertices, kOwner, packed.size() * sizeof(glm::uvec2), packed.data());
+}
+
+void write(Gpu& gpu, Texture& texture, GLenum format, glm::ivec2 size, GLenum channels, GLenum type, const void* data) {
+    if (texture.width != size.x || texture.height != size.y) {
+        texture = {};
+        if (size.y > 0) texture = makeTexture2D(gpu, kOwner, format, size.x, size.y);
+    }
+    if (texture.id()) glTextureSubImage2D(texture.id(), 0, 0, 0, size.x, size.y, channels, type, data);
+}
+
+void uploadGround(DrawContext& ctx, LightState& s) {
+    const PackedGround p = packGround(s.traced.ground, *s.by);
+    const auto rows = [](size_t texels, int width) { return static_cast<int>(texels / static_cast<size_t>(width)); };
+    write(ctx.gpu, s.shown.ground, GL_RGBA16F,
+          {AROUND_ACROSS * AROUND_SIDE, rows(p.share.size(), AROUND_ACROSS * AROUND_SIDE)}, GL_RGBA, GL_FLOAT,
+          p.share.data());
+    write(ctx.gpu, s.shown.cells, GL_RG32UI, {AROUND_TABLE, rows(p.table.size(), AROUND_TABLE)}, GL_RG_INTEGER,
+          GL_UNSIGNED_INT, p.table.data());
+    if (s.shown.cells.id()) glTextureParameteri(s.shown.cells.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    if (s.shown.cells.id()) glTextureParameteri(s.shown.cells.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    s.shown.from = p.from, s.shown.to = p.to, s.shown.slots = static_cast<uint32_t>(p.table.size());
+}
+
+// Under the frame's own lights.
+void upload(DrawContext& ctx, LightState& s) {
+    const FrameGlobals& g = ctx.globals;
+    const AroundLights by{g.skyLight, g.sunLight, g.groundLight};
+    if (s.by == by) return;
+    s.by = by;
+    uploadVertices(ctx, s);
+    uploadGround(ctx, s);
 }
 
 void run(DrawContext& ctx) {
@@ -403,47 +350,56 @@ void run(DrawContext& ctx) {
     update(ctx, s);
     upload(ctx, s);
     ctx.shared.objectLight = &s.shown;
+    ctx.globals.aroundFrom = s.shown.from, ctx.globals.aroundTo = s.shown.to, ctx.globals.aroundSlots = s.shown.slots;
+    // For the whole frame: nothing else uses the bindings.
+    glBindTextureUnit(TEX_AROUND, s.shown.ground.id());
+    glBindTextureUnit(TEX_AROUND_CELLS, s.shown.cells.id());
 }
 
 const System kSystems[] = {
-    {"objects/light", {.reads = {Slot::Sun, Slot::SkyLight, Slot::Ground}, .writes = {Slot::ObjectLight}}, run, true}};
+    {kOwner, {.reads = {Slot::Sun, Slot::SkyLight, Slot::Ground}, .writes = {Slot::ObjectLight}}, run, true}};
 
 }  // namespace
 
-Result<std::vector<TracedObject>> traceObjectLight(const Project& p, const Tables& tables, double seconds,
-                                                   JobControl& control) {
+Result<TracedAround> traceObjectLight(const Project& p, const Tables& tables, double seconds, JobControl& control) {
     const auto tracer = AroundTracer::make(p, tables, seconds, control);
     if (!tracer) return tracer.error();
     const Ground ground = findGround(p);
     std::map<std::string, Mesh> meshes;
-    std::vector<TracedObject> out;
+    TracedAround out;
     std::vector<PlacedMesh> placed;
+    std::vector<StandingBox> boxes;
     for (const PlacedMesh& m : placedMeshes(p)) {
-        if (!isLit(p, m)) continue;
+        if (!hasTracedLight(p, m)) continue;
         Result<Mesh> mesh = meshes.contains(m.mesh->file) ? Mesh{} : readMesh(p.dir, m.mesh->file);
         if (!mesh) return mesh.error();
         const Mesh& of = meshes.try_emplace(m.mesh->file, std::move(*mesh)).first->second;
-        TracedObject& o = out.emplace_back();
+        TracedObject& o = out.objects.emplace_back();
         o.vertices.resize(of.vertices.size() <= kMostLitVertices ? of.vertices.size() : 0);
         placed.push_back(m);
+        boxes.push_back(standingBox(ground, m, of));
     }
-    setEntities(p, out);
-    for (size_t i = 0; i < out.size(); ++i) {
-        if (!out[i].vertices.empty())
-            lightVertices(*tracer, ground, placed[i], meshes.at(placed[i].mesh->file), control, out[i].vertices);
-        control.setProgress(static_cast<double>(i + 1) / static_cast<double>(out.size()));
+    setEntities(p, out.objects);
+    for (size_t i = 0; i < placed.size(); ++i) {
+        TracedObject& o = out.objects[i];
+        if (!o.vertices.empty())
+            lightVertices(*tracer, ground, placed[i], meshes.at(placed[i].mesh->file), control, o.vertices);
+        control.setProgress((1 - kGroundsShare) * static_cast<double>(i + 1) / static_cast<double>(placed.size()));
         if (control.cancelled()) return failed("cancelled");
     }
+    auto around = traceGround(*tracer, p, boxes, control);
+    if (!around) return around.error();
+    out.ground = std::move(*around);
     return out;
 }
 
 const EffectRow& objectLightEffect() {
     static const EffectRow row{
-        .name = "objects/light",
+        .name = kOwner,
         .needs = featureSet(Feature::Objects, Feature::ObjectLight),
         .systems = kSystems,
         .makeState = [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<LightState>(); },
-        .help = "light from all around objects"};
+        .help = "light from all around objects, and what they change of it on the ground"};
     return row;
 }
 

@@ -7,7 +7,7 @@
 namespace sward {
 namespace {
 
-constexpr uint32_t kVersion = 1;  // of the method: another one gives other maps
+constexpr uint32_t kVersion = 2;  // of the method: another one gives other maps
 constexpr int kDefaultSide = 512;
 
 const MapField* existingMap(const Project& p) {
@@ -61,7 +61,7 @@ Result<Map> bakeOcclusion(const Project& p, const OcclusionSettings& settings, J
     const Ground ground = findGround(p);
     if (!ground.terrain)
         return unsound("there is no Terrain to bake ambient occlusion for", "add an entity with a Terrain").at(p.dir);
-    const Result<SceneTriangles> triangles = sceneTriangles(p, control);
+    const Result<SceneTriangles> triangles = sceneTriangles(p, control, SolidsTaken::WithoutTraced);
     if (!triangles) return triangles.error();
     const Result<RayScene> rays = RayScene::make(triangles->meshes, triangles->scattered);
     if (!rays) return rays.error();
@@ -89,8 +89,9 @@ Result<Map> bakeOcclusion(const Project& p, const OcclusionSettings& settings, J
 uint64_t occlusionHash(const Project& p, const OcclusionSettings& settings) {
     const Ground ground = findGround(p);
     const MapInfo info = ground.terrain ? infoFor(p, *ground.terrain, settings) : MapInfo{};
-    const uint64_t parts[] = {kVersion, sceneTrianglesHash(p), static_cast<uint64_t>(settings.samples),
-                              static_cast<uint64_t>(info.width), static_cast<uint64_t>(info.height)};
+    const uint64_t parts[] = {kVersion, sceneTrianglesHash(p, SolidsTaken::WithoutTraced),
+                              static_cast<uint64_t>(settings.samples), static_cast<uint64_t>(info.width),
+                              static_cast<uint64_t>(info.height)};
     return hashBytes(parts, sizeof(parts));
 }
 

@@ -1,8 +1,9 @@
-// Ambient occlusion of the ground: which share of the sky, weighted by the cosine to the ground's normal, objects and
-// hills leave to see. Rays are stratified over the hemisphere and jittered by an integer hash of texel and ray: the
-// same scene gives the same map on every machine and with any number of threads. Does not: colour bleeding, grass (its
-// own darkening is a species' rootOcclusion). Cost: about 3 million rays a second on two cores; 512 x 512 texels of 64
-// rays: 5 s. The error of a texel of n rays is below 0.5 / sqrt(n), mostly far below.
+// Ambient occlusion of the ground: which share of the sky, weighted by the cosine to the ground's normal, hills and
+// objects leave to see, but for objects that darken the ground by themselves (hasTracedLight;
+// reference/ground_around.h). Rays are stratified over the hemisphere and jittered by an integer hash of texel and ray:
+// the same scene gives the same map on every machine and with any number of threads. Does not: colour bleeding, grass
+// (its own darkening is a species' rootOcclusion). Cost: about 3 million rays a second on two cores; 512 x 512 texels
+// of 64 rays: 5 s. The error of a texel of n rays is below 0.5 / sqrt(n), mostly far below.
 #pragma once
 #include "core/jobs.h"
 #include "maps/map.h"

@@ -31,6 +31,10 @@ Triangles placedTriangles(const Mesh& mesh, const PlacedMesh& placed, const glm:
     return out;
 }
 
+bool isTaken(const Project& p, const PlacedMesh& m, SolidsTaken taken) {
+    return m.mesh->castShadows && (taken == SolidsTaken::All || !hasTracedLight(p, m));
+}
+
 // Adds a mesh that is shown by instances; returns its number.
 uint32_t addMesh(ScatteredTriangles& out, Mesh mesh, const std::string& file, std::vector<float> through = {}) {
     Triangles& shown = out.instances.meshes.emplace_back();
@@ -147,7 +151,7 @@ Result<ScatteredTriangles> scatteredTriangles(const Project& p, const glm::dvec3
     return out;
 }
 
-Result<SceneTriangles> sceneTriangles(const Project& p, const JobControl& control) {
+Result<SceneTriangles> sceneTriangles(const Project& p, const JobControl& control, SolidsTaken taken) {
     const Ground ground = findGround(p);
     SceneTriangles out;
     if (ground.terrain && ground.terrain->height.present())
@@ -155,7 +159,7 @@ Result<SceneTriangles> sceneTriangles(const Project& p, const JobControl& contro
     std::map<std::string, Mesh> read;
     for (const PlacedMesh& placed : placedMeshes(p)) {
         if (control.cancelled()) return failed("cancelled");
-        if (!placed.mesh->castShadows) continue;
+        if (!isTaken(p, placed, taken)) continue;
         const std::string& file = placed.mesh->file;
         if (!read.contains(file)) {
             Result<Mesh> mesh = readMesh(p.dir, file);
@@ -170,7 +174,7 @@ Result<SceneTriangles> sceneTriangles(const Project& p, const JobControl& contro
     return out;
 }
 
-uint64_t sceneTrianglesHash(const Project& p) {
+uint64_t sceneTrianglesHash(const Project& p, SolidsTaken taken) {
     Hasher h;
     const auto add = [&](const auto& v) { h.add(&v, sizeof(v)); };
     const auto addFile = [&](const std::string& name) {
@@ -187,7 +191,7 @@ uint64_t sceneTrianglesHash(const Project& p) {
         if (ground.terrain->height.present()) add(ground.terrain->height.map.hash());
     }
     for (const PlacedMesh& placed : placedMeshes(p)) {
-        if (!placed.mesh->castShadows) continue;
+        if (!isTaken(p, placed, taken)) continue;
         add(placed.at), add(placed.turn), add(placed.mesh->scale);
         addFile(placed.mesh->file);
     }

@@ -44,11 +44,14 @@ struct SceneTriangles {
     std::vector<Triangles> meshes;
     TriangleInstances scattered;
 };
+// What of a project is made into triangles: all, or without objects whose light is traced (hasTracedLight).
+enum class SolidsTaken { All, WithoutTraced };
 // The terrain (if it is not level) and every object that casts shadows. An object's file is read from the project's
 // folder. Errors: a file that cannot be read; Failed when cancelled.
-Result<SceneTriangles> sceneTriangles(const Project& p, const JobControl& control);
+Result<SceneTriangles> sceneTriangles(const Project& p, const JobControl& control,
+                                      SolidsTaken taken = SolidsTaken::All);
 
 // Names what sceneTriangles would make, by content: terrain, objects' places and the times of their files.
-uint64_t sceneTrianglesHash(const Project& p);
+uint64_t sceneTrianglesHash(const Project& p, SolidsTaken taken = SolidsTaken::All);
 
 }  // namespace sward

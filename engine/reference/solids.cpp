@@ -80,7 +80,8 @@ Result<Solids> Solids::make(const Project& p, double time, const JobControl& con
         const Rgba8 soil = t->groundTexture.empty() ? Rgba8{} : loadColorImage(p.dir / t->groundTexture);
         s.soil_ = texelGridOf(soil.pixels.empty() ? makeSoil(256) : soil);
         s.land_ = landOf(p);
-        if (!s.level_) triangles[0] = terrainSurface(*t).triangles();
+        s.surface_ = terrainSurface(*t);
+        if (!s.level_) triangles[0] = s.surface_.triangles();
         if (!s.level_ && s.land_.reach > 0) addLand(triangles[0], *t, s.land_);
     }
     for (const PlacedMesh& placedMesh : placedMeshes(p)) {
@@ -182,6 +183,10 @@ bool Solids::blocks(const Ray& ray) const {
         .has_value();
 }
 
+glm::dvec3 Solids::onGround(double x, double z) const {
+    return ground_.terrain ? glm::dvec3(surface_.at(x, z)) : glm::dvec3(x, 0, z);
+}
+
 glm::vec3 Solids::groundNormal(double x, double z) const {
     if (!ground_.terrain) return glm::vec3(0, 1, 0);
     const Terrain& t = *ground_.terrain;
@@ -230,6 +235,7 @@ Surface Solids::objectAt(const Ray& ray, const TriangleHit& h) const {
     Surface s;
     s.met = Met::Object;
     s.ofTree = o.isTree;
+    s.object = h.mesh - 1;
     s.t = static_cast<double>(h.t);
     s.at = ray.origin + ray.way * s.t;
     const glm::vec3 flat = o.instanced ? glm::vec3(o.normals * glm::dvec3(h.normal)) : h.normal;

@@ -24,6 +24,8 @@ class Solids {
     bool blocks(const Ray& ray) const;
     const Ground& ground() const { return ground_; }
     const Land& land() const { return land_; }
+    // The point of the terrain's triangles over or under these terrain-relative metres, clamped to the terrain.
+    glm::dvec3 onGround(double x, double z) const;
     // Unit, upward; by the terrain's own map.
     glm::vec3 groundNormal(double x, double z) const;
 
@@ -51,6 +53,7 @@ class Solids {
     Ground ground_;
     Land land_;
     bool level_ = true;
+    TerrainSurface surface_;
     TexelGrid soil_;
     std::map<std::string, Mesh> meshes_;
     std::map<std::string, std::vector<TexelGrid>> images_;

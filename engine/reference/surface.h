@@ -36,6 +36,7 @@ struct Surface {
     uint32_t field = 0;   // of a blade: the number of its field (grass_rays.h)
     bool beyond = false;  // of ground: beyond the terrain, where its colour tells what grows, too
     bool ofTree = false;  // of an object: it is a tree of a forest
+    uint32_t object = 0;  // likewise: its number, as placedMeshes has them, then the scattered ones, then trees
     bool onMesh = false;  // of a blade: it grows on a mesh, where none of the terrain's maps is read
     glm::dvec2 place{0};  // as a share of the terrain, where the maps are read: a blade's root
 };

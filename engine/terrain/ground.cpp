@@ -186,13 +186,13 @@ const Pass kDepthPasses[] = {{"terrain/depth",
                               {.reads = {Slot::GroundNodes}, .appends = {Slot::SceneDepth}},
                               kDepthPrograms,
                               drawDepth}};
-const Pass kPasses[] = {
-    {"terrain/ground",
-     Stage::Ground,
-     kViewMain | kViewReflection,
-     {.reads = {Slot::GroundNodes, Slot::Grass, Slot::Shadows}, .appends = {Slot::SceneColor, Slot::SceneDepth}},
-     kPrograms,
-     draw}};
+const Pass kPasses[] = {{"terrain/ground",
+                         Stage::Ground,
+                         kViewMain | kViewReflection,
+                         {.reads = {Slot::GroundNodes, Slot::Grass, Slot::Shadows, Slot::ObjectLight},
+                          .appends = {Slot::SceneColor, Slot::SceneDepth}},
+                         kPrograms,
+                         draw}};
 
 }  // namespace
 

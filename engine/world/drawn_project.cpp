@@ -159,7 +159,7 @@ void addChanges(const PathOver& a, const PathOver& b, double texel, std::vector<
         for (const CurvePiece& piece : from->curve.pieces)
             if (!has(*other, piece)) out.push_back(boxOf({{piece}}, reachOf(from->path) + texel));
 }
-std::vector<GroundBox> changedBoxes(const std::vector<PathOver>& a, const std::vector<PathOver>& b, double texel) {
+std::vector<GroundBox> changedAlong(const std::vector<PathOver>& a, const std::vector<PathOver>& b, double texel) {
     const PathOver none;
     std::vector<GroundBox> out;
     for (size_t i = 0; i < std::max(a.size(), b.size()); ++i)
@@ -203,7 +203,7 @@ void followPainted(LaidMap& laid, const Terrain& t, const ConstFieldRef& map, fl
 void layPaths(LaidMap& laid, const Map& was, bool fresh, const PathEffect& effect, std::vector<PathOver> paths) {
     const MapInfo& info = laid.base.info();
     const double texel = std::max(laid.extent.x / info.width, laid.extent.y / info.height);
-    const std::vector<GroundBox> changed = changedBoxes(laid.paths, paths, texel);
+    const std::vector<GroundBox> changed = changedAlong(laid.paths, paths, texel);
     laid.paths = std::move(paths);
     if (fresh) laid.drawn = laid.base;
     std::vector<glm::ivec2> tiles;

@@ -42,6 +42,10 @@ std::vector<PlacedMesh> placedMeshes(const Project& p) {
     return out;
 }
 
+bool hasTracedLight(const Project& p, const PlacedMesh& m) {
+    return m.mesh->bakeLight == BakeLight::Traced && !p.registry.get<Rolling>(m.entity);
+}
+
 std::string fileVersion(const std::filesystem::path& dir, const std::string& file) {
     const auto place = currentFile(dir, file);
     std::error_code fault;

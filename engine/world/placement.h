@@ -29,6 +29,9 @@ PlacedMesh placeMesh(const Project& p, Entity e);
 // The same with what findGround gave, for who places many.
 PlacedMesh placeMesh(const Project& p, const Ground& ground, Entity e);
 
+// Whether light from all around it is traced (reference/object_light.h): it asks for that, and stays where it is.
+bool hasTracedLight(const Project& p, const PlacedMesh& m);
+
 // A text that changes with the file's place and time; also for files that are not there. file: relative to dir, the
 // project's folder.
 std::string fileVersion(const std::filesystem::path& dir, const std::string& file);

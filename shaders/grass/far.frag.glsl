@@ -7,6 +7,7 @@
 #include "lib/far_light.glsl"
 #include "lib/force.glsl"
 #include "lib/frame.glsl"
+#include "lib/ground_around.glsl"
 #include "lib/light.glsl"
 #include "lib/shadow.glsl"
 #include "lib/slices.glsl"
@@ -92,10 +93,11 @@ void main() {
     BladeLean l = leanOf(stand, vec2(0.0));
     float plain = slices.reflectScale * darkened(d) * l.lighter;
     vec3 gain = plain * farLevel(max(length(r.dx), length(r.dy))) * farGain(seen, lean, l.clump, laid.y, grown);
-    FarLit lit = FarLit(levelSun(), kLevel, position, kOnGround,
-                        gain * (slices.farAmbient * skyShare(uv) * skyOnGrassPastTrees(position)),
-                        sunVisible(position, kOnGround) * sunOverSlope(toEye, slope, density), gain,
-                        plain * laidGain(lookTap(seen), laid.y), sunsHotSpot(toEye, laid.y));
+    FarLit lit =
+        FarLit(levelSun(), kLevel, position, kOnGround,
+               gain * groundAround(position) * (slices.farAmbient * skyShare(uv) * skyOnGrassPastTrees(position)),
+               sunVisible(position, kOnGround) * sunOverSlope(toEye, slope, density), gain,
+               plain * laidGain(lookTap(seen), laid.y), sunsHotSpot(toEye, laid.y));
     vec3 light = clamp(farRadiance(sliceLight, r, leaf, stored.zw, lit), vec3(0.0), vec3(kBrightest));
     color = vec4(mix(light, hazeColor(position), hazeShare(d)), alpha);
     if (viewMode() == VIEW_TIERS) color.rgb = vec3(0.05, 0.75, 0.1);

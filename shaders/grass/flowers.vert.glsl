@@ -3,6 +3,7 @@
 #include "lib/density.glsl"
 #include "lib/force.glsl"
 #include "lib/frame.glsl"
+#include "lib/ground_around.glsl"
 #include "lib/heights.glsl"
 #include "lib/lamp_shadow.glsl"
 #include "lib/lamps.glsl"
@@ -57,7 +58,7 @@ vec2 leanAt(Flower f, vec2 at, vec2 place, vec2 blown) {
 }
 
 vec3 lightOn(vec3 at, vec3 n, float open, vec2 place) {
-    vec3 sum = ambientLight(n) * (open * skyShare(place) * skyOnGrassPastTrees(at));
+    vec3 sum = ambientLight(n) * groundAround(at) * (open * skyShare(place) * skyOnGrassPastTrees(at));
     if (SUN)
         sum += frame.sunLight * (flowerSends(n, frame.sunDirection) * frame.sunIsUp * sunVisible(at, vec3(0.0)) * open);
     for (int i = 0; i < lampCount(); ++i) {

@@ -4,6 +4,7 @@
 #include "lib/field.glsl"
 #include "lib/force.glsl"
 #include "lib/frame.glsl"
+#include "lib/ground_around.glsl"
 #include "lib/heights.glsl"
 #include "lib/light.glsl"
 #include "lib/motion.glsl"
@@ -138,7 +139,8 @@ void main() {
     shell.gain =
         SUN ? shown * sunsHotSpot(toEye, press) * sunOverSlope(toEye, slope, 1.0) * frame.sunLight * frame.sunIsUp
             : vec3(0.0);
-    shell.ambient = shown * slices.ambient * (skyShare(uv) * skyOnGrassPastTrees(shell.start));
+    shell.ambient =
+        shown * slices.ambient * (skyShare(uv) * skyOnGrassPastTrees(shell.start)) * groundAround(shell.start);
     shell.brighter = plain * laidGain(lookTap(toEye), press);
 
     vec2 comesIn = toCells(shell.start.xz);

@@ -5,6 +5,7 @@
 #include "lib/density.glsl"
 #include "lib/force.glsl"
 #include "lib/frame.glsl"
+#include "lib/ground_around.glsl"
 #include "lib/heights.glsl"
 #include "lib/light.glsl"
 #include "lib/mirror.glsl"
@@ -116,7 +117,7 @@ void main() {
     images = sunImages(levelSun(), axis, axes.x, mirror);
     gain = SUN ? shown * sunsHotSpot(toEye, press) * sunOverSlope(toEye, slope, 1.0) * frame.sunLight * frame.sunIsUp
                : vec3(0.0);
-    ambient = shown * slices.ambient * (skyShare(uv) * skyOnGrassPastTrees(foot));
+    ambient = shown * slices.ambient * (skyShare(uv) * skyOnGrassPastTrees(foot)) * groundAround(foot);
     float hazed = hazeShare(length(position));
     haze = vec4(hazeColor(foot) * hazed, 1.0 - hazed);
     for (int c = 0; c < 3; ++c) lamp[c] = vec4(0.0);

@@ -1,6 +1,8 @@
 // Light on soil under grass, and what is left of it in the shadow of one light. Needs: const bool SUN, LAMPS,
-// GROUND_SHADOWS, CASTING_LIGHTS, GRASS_HEIGHTS, GRASS_TRACED; what lib/lamp_shadow.glsl and lib/shadow.glsl need.
+// GROUND_SHADOWS, CASTING_LIGHTS, OBJECT_LIGHT, GRASS_HEIGHTS, GRASS_TRACED; what lib/lamp_shadow.glsl and
+// lib/shadow.glsl need.
 #include "lib/frame.glsl"
+#include "lib/ground_around.glsl"
 #include "lib/lamp_shadow.glsl"
 #include "lib/lamps.glsl"
 #include "lib/light.glsl"
@@ -77,7 +79,7 @@ vec3 lampOnSoil(int i, vec3 at, vec3 n, SoilLeft left) {
 }
 
 vec3 soilLight(vec3 at, vec3 n, SoilShares s) {
-    vec3 sum = ambientLight(n) * (s.ambient * skyPastTrees(at));
+    vec3 sum = ambientLight(n) * groundAround(at) * (s.ambient * skyPastTrees(at));
     if (SUN) sum += sunOnSoil(at, n, frame.sunCasts > 0.0 ? s.casting : s.mean);
     if (SUN && GRASS_TRACED) sum += frame.sunLight * (frame.sunIsUp * s.mean.scattered * sunVisible(at, vec3(0.0)));
     for (int i = 0; i < lampCount(); ++i) sum += lampOnSoil(i, at, n, i < castingLamps() ? s.casting : s.mean);

@@ -2,6 +2,7 @@
 #include "lib/blade_light.glsl"
 #include "lib/density.glsl"
 #include "lib/frame.glsl"
+#include "lib/ground_around.glsl"
 #include "lib/shadow.glsl"
 #include "lib/species.glsl"
 
@@ -15,6 +16,6 @@ vec2 paintAt(vec2 uv) { return uv * field.vegetationTiling; }
 float levelOnMaps(float metres, ivec2 size) { return levelOver(metres, size); }
 vec3 objectBelow() { return vec3(0.0); }
 float sunOnBlade(vec3 position, vec3 fromRoot) { return sunVisible(position, vec3(0.0)); }
-vec3 skyOnBlade(vec3 position) { return vec3(skyOnGrassPastTrees(position)); }
+vec3 skyOnBlade(vec3 position) { return groundAround(position) * skyOnGrassPastTrees(position); }
 
 BladeLight lightOnGround(Lit p, vec2 uv) { return lightBlade(p, uv); }

@@ -77,7 +77,9 @@
 #define TEX_HISTORY 59  // of frames that add up: their mean, and how far away it was
 #define TEX_HISTORY_DISTANCE 60
 #define TEX_SUN_GAINS 61  // on meshes, of the species that is drawn
-#define TEX_SHADOW 12     // bound by who makes them, for the whole frame
+#define TEX_AROUND 62     // as TEX_SHADOW
+#define TEX_AROUND_CELLS 63
+#define TEX_SHADOW 12  // bound by who makes them, for the whole frame
 #define TEX_SHADE 13
 #define TEX_OBJECT 7  // as blades: bound for each draw
 #define TEX_MASK 14

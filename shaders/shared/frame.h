@@ -60,6 +60,11 @@ struct STD140 FrameGlobals {
     float landLevel;   // height to which the land beyond comes, relative to the eye
     uint chanceShift;  // 256ths by which this frame moves the chances that samples are covered (post/antialias.h)
     float lookShare;   // of a pixel's width, over which maps are looked up along the ground (lib/looks.glsl)
+    // What objects leave of light from all around on the ground (lib/ground_around.glsl): the cells that have some lie
+    // from here to before there; entries of their table.
+    ivec2 aroundFrom;
+    ivec2 aroundTo;
+    uint aroundSlots;
 };
 
 #ifdef __cplusplus

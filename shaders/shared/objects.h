@@ -20,6 +20,13 @@ struct ObjectInstance {
 // Number of a first vertex of objects that no rays have found light for (lib/object_light.glsl).
 #define NO_OBJECT_LIGHT 0xFFFFFFFFu
 
+// What objects leave of light from all around on the ground (lib/ground_around.glsl).
+#define AROUND_CELL 2.0   // metres a side of its squares
+#define AROUND_SIDE 17    // points along a side, those on its corners included
+#define AROUND_ACROSS 60  // squares a row of the texture
+#define AROUND_TABLE 256  // entries a row of the table
+#define AROUND_EMPTY 0xFFFFFFFFu
+
 // A shadow map around the eye.
 struct STD140 ShadowCascade {
     mat4 toMap;   // eye-relative to the map: x, y in [0, 1], z depth (1: nearest to the sun)

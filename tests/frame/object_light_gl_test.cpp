@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "core/file.h"
+#include "fields.h"
 #include "objects.h"
 #include "pixels.h"
 #include "reference/reference.h"
@@ -102,6 +103,59 @@ TEST(ObjectLightDrawn, ANarrowLaneBetweenWallsIsAsDarkAsItsTruth) {
     std::printf("truth %.4f drawn %.4f as on open ground %.4f\n", truth.y, drawn.y, open.y);
     EXPECT_LT(worstShare(drawn, truth), 0.15);
     EXPECT_GT(worstShare(open, truth), 0.5) << "what it stands against must lose";
+}
+
+// A block of 2 m, its shadow before it.
+Project blockOn(const TempDir& dir) {
+    Project p = ballOver(dir);
+    removeEntity(p, "ball");
+    putObject(p, "block", {{.size = {2, 2, 2}, .color = {0.3f, 0.3f, 0.3f}}}, {100, 0, 100});
+    return p;
+}
+const ViewCamera kBesideBlock{{100, 2.5, 95}, {100, 0, 98.6}, 6, 0};
+
+TEST(ObjectLightDrawn, TheGroundBesideAnObjectIsAsDarkAsItsTruth) {
+    NoGlErrors errors;
+    const TempDir dir;
+    Project p = blockOn(dir), local = snapshot(p, tables().components);
+    setLocal(local);
+    Renderer r(gpu(), tables()), other(gpu(), tables());
+    for (const double off : {0.25, 0.7, 1.5}) {
+        ViewCamera c = kBesideBlock;
+        c.target.z = 99 - off;
+        const glm::vec3 truth = middleColour(truthOf(p, c)), drawn = middleColour(drawnBy(r, p, c)),
+                        open = middleColour(drawnBy(other, local, c));
+        std::printf("%.2f m off: truth %.4f %.4f %.4f drawn %.4f %.4f %.4f as in the open %.4f %.4f %.4f\n", off,
+                    truth.x, truth.y, truth.z, drawn.x, drawn.y, drawn.z, open.x, open.y, open.z);
+        EXPECT_LT(worstShare(drawn, truth), 0.06);
+        EXPECT_GT(worstShare(open, truth), 0.12) << "what it stands against must lose";
+    }
+}
+
+// What grows beside an object loses the share of the sky's light that the ground loses, by every technique.
+TEST(ObjectLightDrawn, GrassBesideAnObjectIsAsMuchDarkerByEveryTechnique) {
+    NoGlErrors errors;
+    const TempDir dir;
+    Project p = blockOn(dir);
+    const auto shareOf = [&](Renderer& traced, Renderer& open) {
+        Project local = snapshot(p, tables().components);
+        setLocal(local);
+        return middleColour(drawnBy(traced, p, kBesideBlock)).y / middleColour(drawnBy(open, local, kBesideBlock)).y;
+    };
+    Renderer r(gpu(), tables()), other(gpu(), tables());
+    const float bare = shareOf(r, other);
+    EXPECT_LT(bare, 0.85f);
+    GrassField grass;
+    grass.species[0].bladesPerM2 = 4000, grass.species[0].height = 0.08f;
+    put(p, "grass", grass);
+    FlatField field = flatField(p);
+    field.sliceWidth = field.farSize = 128, field.sliceHeight = 32, field.slices = 8;
+    for (const Technique t : {Technique::Geometry, Technique::Tessellated, Technique::Raytraced, Technique::Flat}) {
+        field.technique = nameOf(t);
+        const float share = shareOf(r, other);
+        std::printf("%s: %.3f, bare ground %.3f\n", nameOf(t), double(share), double(bare));
+        EXPECT_NEAR(share, bare, 0.06f) << nameOf(t);
+    }
 }
 
 TEST(ObjectLightDrawn, FollowsTheLightsStrengthWithoutTracingAnewAndItsPlaceByTracing) {

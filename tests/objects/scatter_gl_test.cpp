@@ -54,8 +54,12 @@ TEST(ScatteredObjects, LookAsTheSameObjectsOneByOne) {
     int n = 0;
     for (const ScatteredObject& o : scatterOver(rule(), findGround(one)).objects) {
         const std::string name = fmt::format("cube-{}", n++);
+        // Scattered ones have no traced light.
         put<StaticMesh>(many, name,
-                        {.file = "cube.glb", .rotationDeg = degreesOf(glm::dmat3(o.turn)), .scale = o.scale});
+                        {.file = "cube.glb",
+                         .rotationDeg = degreesOf(glm::dmat3(o.turn)),
+                         .scale = o.scale,
+                         .bakeLight = BakeLight::Local});
         put<Transform>(many, name, {o.at});
     }
     const ViewCamera camera{{10, 6, 24}, {10, 0, 10}, 55, 0};

@@ -1,86 +1,18 @@
-// Light from all around points and objects: against closed forms, and which objects have it.
+// Light from all around objects: against that of points, and which objects have it.
 #include "reference/object_light.h"
 
 #include <gtest/gtest.h>
 
-#include "objects.h"
-#include "techniques.h"
+#include "around.h"
 
 namespace sward::test {
 namespace {
 
-constexpr float kAlbedo = 0.4f;
-const double kSunSine = std::sin(glm::radians(45.0));
-
-// An even sky over a wide plain of one reflectance.
-Project plain(const TempDir& dir) {
-    Project p = cubeScene(dir.path);
-    removeEntity(p, "cube");
-    Terrain& ground = *p.registry.get<Terrain>(findEntity(p, "ground"));
-    ground.size = {4000, 4000};
-    ground.groundColor = glm::vec3(kAlbedo);
-    p.registry.get<Sky>(findEntity(p, "sky"))->model = SkyModel::Uniform;
-    return p;
-}
-AroundTracer tracerOf(const Project& p) {
-    auto made = AroundTracer::make(p, tables(), 0, JobControl{});
-    EXPECT_TRUE(made) << made.error().text();
-    return std::move(*made);
-}
-// Mean of many paths.
-AroundFactors meanAt(const AroundTracer& t, const glm::dvec3& at, const glm::vec3& n) {
-    AroundFactors sum;
-    constexpr int kMany = 64;
-    for (uint32_t i = 0; i < kMany; ++i) {
-        const AroundFactors f = t.at(at, n, i);
-        sum.sky += f.sky / float(kMany), sum.sun += f.sun / float(kMany), sum.ground += f.ground / float(kMany);
-    }
-    return sum;
-}
 std::vector<TracedObject> tracedOf(const Project& p) {
     JobControl control;
     const auto made = traceObjectLight(p, tables(), 0, control);
     EXPECT_TRUE(made) << made.error().text();
-    return made ? *made : std::vector<TracedObject>{};
-}
-
-TEST(ObjectLight, OverAPlainIsTheSkysShareAndWhatThePlainThrowsBack) {
-    const TempDir dir;
-    const Project p = plain(dir);
-    const AroundTracer t = tracerOf(p);
-    for (const auto& [n, up] :
-         {std::pair<glm::vec3, double>{{0, 1, 0}, 1}, {{1, 0, 0}, 0.5}, {{0, 0, -1}, 0.5}, {{0, -1, 0}, 0}}) {
-        const AroundFactors f = meanAt(t, {2000, 3, 2000}, n);
-        const double below = (1 - up) * double(kAlbedo);
-        EXPECT_NEAR(f.sky.y, up + below, 0.02) << n.x << n.y;
-        EXPECT_NEAR(f.sun.y, below * kSunSine, 0.02);
-        EXPECT_NEAR(f.ground.y, 0, 0.01) << "the plain goes on to the horizon";
-    }
-}
-
-TEST(ObjectLight, InABoxThereIsNoneAndUnderARoofLittle) {
-    const TempDir dir;
-    Project p = plain(dir);
-    putObject(p, "box", {{.size = {4, 4, 4}}}, {2000, 0, 2000});
-    EXPECT_LT(meanAt(tracerOf(p), {2000, 1, 2000}, {0, 1, 0}).sky.y, 0.001);
-    putObject(p, "box", {{.size = {40, 0.2f, 40}}}, {2000, 2, 2000});
-    const AroundFactors under = meanAt(tracerOf(p), {2000, 0.5, 2000}, {0, 1, 0});
-    EXPECT_LT(under.sky.y, 0.05);
-    EXPECT_LT(under.sun.y, 0.05) << "the sun does not come under it";
-}
-
-TEST(ObjectLight, GrassColoursWhatIsThrownBack) {
-    const TempDir dir;
-    Project p = plain(dir);
-    const AroundFactors bare = meanAt(tracerOf(p), {2000, 3, 2000}, {0, -1, 0});
-    GrassField grass;
-    grass.species[0].bladesPerM2 = 20000, grass.species[0].height = 0.1f;
-    grass.species[0].rootColor = grass.species[0].midColor = grass.species[0].tipColor = {0.02f, 0.2f, 0.02f};
-    put(p, "grass", grass);
-    const AroundFactors green = meanAt(tracerOf(p), {2000, 3, 2000}, {0, -1, 0});
-    EXPECT_NEAR(bare.sun.x, bare.sun.y, 0.01);
-    EXPECT_GT(green.sun.y, 3 * green.sun.x);
-    EXPECT_LT(green.sun.x, 0.2f * bare.sun.x);
+    return made ? made->objects : std::vector<TracedObject>{};
 }
 
 // A wall of four corners a side under a roof that reaches over it: in the middle it has the light of its middle.
@@ -130,7 +62,7 @@ TEST(ObjectLight, WhatLiesInAnotherPartDoesNotDarkenWhatStandsOut) {
     }
     ASSERT_EQ(n, 16) << "corners of four sides";
     const double open = double(meanAt(tracerOf(p), {2000.2, 3.5, 2000}, {1, 0, 0}).sky.y);
-    EXPECT_NEAR(low / 8 + 7 * high / 8, open, 0.07 * open) << "0.74 of it were all points to count alike";
+    EXPECT_NEAR(low / 8 + 7 * high / 8, open, 0.1 * open) << "0.74 of it were all points to count alike";
 }
 
 TEST(ObjectLight, IsOfWhatAsksForItStaysWhereItIsAndIsSmallEnough) {

@@ -85,7 +85,7 @@ struct Scene {
         const Solid box{.size = {4, 2, 4}};
         test::writeText(dir / "box.glb", *encodeGlb(makeMesh({&box, 1})));
         const Entity e = *addEntity(p, "box");
-        p.registry.add(e, StaticMesh{.file = "box.glb"});
+        p.registry.add(e, StaticMesh{.file = "box.glb", .bakeLight = BakeLight::Local});
         p.registry.add(e, Transform{{5, 0, 5}});
     }
 };
@@ -117,6 +117,16 @@ TEST(Occlusion, TheSameSceneGivesTheSameMapAndAnotherSceneAnotherHash) {
     s.p.registry.get<StaticMesh>(findEntity(s.p, "box"))->castShadows = false;
     EXPECT_NE(moved, occlusionHash(s.p, settings));
     EXPECT_EQ(bakeOcclusion(s.p, settings, control)->at(20, 20), 1) << "what casts no shadow hides no sky";
+}
+
+TEST(Occlusion, WhatDarkensTheGroundByItselfIsLeftOut) {
+    Scene s;
+    JobControl control;
+    const OcclusionSettings settings{.samples = 16, .size = 64};
+    const uint64_t before = occlusionHash(s.p, settings);
+    s.p.registry.get<StaticMesh>(findEntity(s.p, "box"))->bakeLight = BakeLight::Traced;
+    EXPECT_NE(before, occlusionHash(s.p, settings));
+    EXPECT_EQ(bakeOcclusion(s.p, settings, control)->at(16, 16), 1);
 }
 
 TEST(Occlusion, AHollowSeesLessThanAPlainAndASlopeIsNotHiddenByItself) {

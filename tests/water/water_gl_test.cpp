@@ -43,7 +43,7 @@ std::vector<float> drawn(Project& p, const ViewCamera& c, double time = 0) {
     EXPECT_TRUE(done) << (done ? "" : done.error().text());
     return r.readLinear();
 }
-Truth traced(const Project& p, const ViewCamera& c, int samples) {
+Truth tracedWater(const Project& p, const ViewCamera& c, int samples) {
     JobControl control;
     auto scene = ReferenceScene::make(p, tables(), 0, control);
     EXPECT_TRUE(scene) << (scene ? "" : scene.error().text());
@@ -82,7 +82,7 @@ TEST(Water, StillWaterMirrorsAnObjectToThePixel) {
     const TempDir folder;
     Project p = lake(folder);
     const ViewCamera c = ashore();
-    const std::vector<float> picture = drawn(p, c), truth = traced(p, c, 256).color;
+    const std::vector<float> picture = drawn(p, c), truth = tracedWater(p, c, 256).color;
     // The front's upper edge stands at y = 2, its image at 2 * 0.5 - 2.
     const double edge = rowOf(c, {15, -1, 13});
     const int inside = static_cast<int>(edge) - 4;
@@ -109,7 +109,7 @@ TEST(Water, StillWaterIsTheTruthsInLight) {
     Project p = lake(folder);
     p.registry.get<Water>(findEntity(p, "lake"))->clarity = 0.4f;  // what bends under water is a difference of its own
     const ViewCamera c = ashore();
-    const std::vector<float> picture = drawn(p, c), truth = traced(p, c, 64).color;
+    const std::vector<float> picture = drawn(p, c), truth = tracedWater(p, c, 64).color;
     for (const int y : {kHeight - 6, kHeight - 20, kHeight * 2 / 3})
         for (int k = 0; k < 3; ++k) {
             double a = 0, b = 0;
@@ -129,7 +129,7 @@ TEST(Water, RippledWaterIsAsBrightAsTheTruth) {
     p.registry.get<Water>(findEntity(p, "lake"))->clarity = 0.4f;
     put<Wind>(p, "wind");
     const ViewCamera c = ashore();
-    const std::vector<float> picture = drawn(p, c), truth = traced(p, c, 64).color;
+    const std::vector<float> picture = drawn(p, c), truth = tracedWater(p, c, 64).color;
     double a = 0, b = 0;
     for (size_t i = static_cast<size_t>(kHeight * 3 / 4) * kWidth * 3; i < picture.size(); ++i)
         a += static_cast<double>(picture[i]), b += static_cast<double>(truth[i]);
@@ -147,7 +147,7 @@ TEST(Water, SmearsWhatItMirrorsAsTheTruth) {
     put<Wind>(p, "wind", {.speed = 6});
     putObject(p, "wall", {{.size = {12, 2.5f, 0.5f}, .color = {0.8f, 0.1f, 0.1f}}}, {15, 0, 10});
     const ViewCamera c{{15, 1.3, 29}, {15, 0.4, 12}, 20, 0};
-    const std::vector<float> picture = drawn(p, c), truth = traced(p, c, 256).color;
+    const std::vector<float> picture = drawn(p, c), truth = tracedWater(p, c, 256).color;
     const int first = static_cast<int>(rowOf(c, {15, 0.5, 13})) + 2;
     const auto sky = [&](const std::vector<float>& image, int y) {
         double sum = 0;
@@ -185,7 +185,7 @@ TEST(Water, ALampGlintsAsInTheTruth) {
     for (const bool windy : {false, true}) {
         Project p = lakeAtNight(folder);
         if (windy) put<Wind>(p, "wind");
-        const std::vector<float> picture = drawn(p, across), truth = traced(p, across, 256).color;
+        const std::vector<float> picture = drawn(p, across), truth = tracedWater(p, across, 256).color;
         const float most = *std::max_element(picture.begin(), picture.end()),
                     mostTrue = *std::max_element(truth.begin(), truth.end());
         std::printf("%s: %.4f of the truth's light; the brightest pixel %.4f of the truth's\n",
@@ -202,7 +202,7 @@ TEST(Water, ALampLightsItAndABoxShadesThatAsInTheTruth) {
     const TempDir folder;
     Project p = lakeAtNight(folder);
     const ViewCamera over{{15, 14, 12.01}, {15, 0, 12}, 50, 0};
-    const std::vector<float> picture = drawn(p, over), truth = traced(p, over, 64).color;
+    const std::vector<float> picture = drawn(p, over), truth = tracedWater(p, over, 64).color;
     // South of the cube, and north-east of it, where it hides the lamp.
     const auto at = [&](const std::vector<float>& image, const glm::dvec3& place) {
         ViewSettings s = settings();
@@ -279,7 +279,7 @@ TEST(Water, EachPondMirrorsAtItsOwnLevelAsTheTruthDoes) {
     const TempDir folder;
     Project p = ponds(folder);
     const ViewCamera c = overPonds();
-    const std::vector<float> truth = traced(p, c, 256).color;
+    const std::vector<float> truth = tracedWater(p, c, 256).color;
     const double ours = pondError(p, drawn(p, c), truth, c);
     p.registry.get<Water>(findEntity(p, "right"))->level = 0.2f;
     const double oneLevel = pondError(p, drawn(p, c), truth, c);
@@ -352,7 +352,7 @@ TEST(Water, OfTwoOverEachOtherTheFirstMetIsSeenAlone) {
         EXPECT_EQ(asNone, 0) << level.small << " in " << level.wide;
         EXPECT_GT(asWide, 4000) << level.small << " in " << level.wide;
         EXPECT_EQ(asSmall > 500, level.small >= level.wide) << asSmall;
-        const std::vector<float> truth = traced(p, c, 64).color;
+        const std::vector<float> truth = tracedWater(p, c, 64).color;
         const double ours = rmsOff(picture, truth), other = rmsOff(level.small < level.wide ? small : wide, truth);
         std::printf("%.1f in %.1f: off the truth by %.4f, without what hides by %.4f\n", double(level.small),
                     double(level.wide), ours, other);

@@ -29,6 +29,7 @@ struct Bench {
         EXPECT_TRUE(doc.addEntity("box"));
         EXPECT_TRUE(doc.addComponent("box", "StaticMesh"));
         EXPECT_TRUE(doc.setField("box.StaticMesh.file", "box.glb"));
+        EXPECT_TRUE(doc.setField("box.StaticMesh.bakeLight", "local"));  // others darken the ground by themselves
         EXPECT_TRUE(doc.addComponent("box", "Transform"));
         EXPECT_TRUE(doc.setField("box.Transform.position", "[10, 0, 10]"));
         for (const auto& [name, e] : doc.project().entities)
