@@ -7,8 +7,9 @@ project.new()
 for _, name in ipairs(entity.list()) do entity.remove(name) end
 
 entity.add("ground", { Terrain = { beyond = "fade", size = { size, size }, groundColor = { 0.13, 0.1, 0.065 }, gridSpacing = 0.5 } })
+-- By the hybrid as near to the truth as by tessellated blades to 30 m, in half the time; these are there to be compared.
 entity.add("field", { GrassField = {
-    technique = "tessellated", cellSize = 1, minGeom = 5, maxGeom = 12, minBTF = 25, maxBTF = 40, slices = 16, sliceWidth = 512, sliceHeight = 128, farSize = 512,
+    technique = "hybrid", cellSize = 1, minGeom = 5, maxGeom = 12, minBTF = 25, maxBTF = 40, slices = 16, sliceWidth = 512, sliceHeight = 128, farSize = 512,
     species = {
         { name = "wheat", bladesPerM2 = 900, height = 0.85, heightVariation = 0.12, width = 0.024, bend = 0.35,
           leanDeg = 9, leanVariationDeg = 8, segments = 5, smoothness = 6, texture = "maps/ear.png", clumpSize = 0.8, clumpStrength = 0.5, translucency = 0.5, gloss = 0.3,
