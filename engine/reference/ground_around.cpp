@@ -17,6 +17,7 @@ constexpr int kCoarse = 4;                      // likewise
 constexpr double kFootHeight = 1;               // metres above the ground
 constexpr double kReach = 2, kMostReach = 24;   // of an object: of its height; metres
 constexpr double kAbout = 1, kAboutFoot = 0.3;  // metres around an object that get half-metre steps; and fine ones
+constexpr double kLargeFoot = 8;                // metres across: points half a metre apart find a larger one
 constexpr float kSeen = 0.015f;                 // change of the share of light that counts as one
 constexpr float kRough = 0.12f;                 // difference between points half a metre apart that asks for more
 
@@ -42,6 +43,12 @@ class GroundPoints {
         });
         for (size_t i = 0; i < wanted_.size(); ++i) found_[wanted_[i]] = traced[i];
         wanted_.clear();
+    }
+    // Whether all of a cell's corners lie within objects.
+    bool isHidden(const Place& cell) const {
+        bool hidden = true;
+        eachOf(cell, 1, [&](const Place& at) { hidden = hidden && !found_.at(at); });
+        return hidden;
     }
     // What was found at a cell's points; what lies within objects is as its neighbours are.
     std::vector<AroundFactors> of(const Place& cell, int steps) const {
@@ -95,13 +102,15 @@ class GroundPoints {
     std::vector<Place> wanted_;
 };
 
-// Adds the terrain's cells that a rectangle touches.
+// Adds the terrain's cells that a rectangle touches, as long as they are not too many.
 void addCells(std::set<Place>& out, const Terrain& t, const glm::dvec2& low, const glm::dvec2& high) {
-    const glm::dvec2 cells = glm::ceil(t.size / static_cast<double>(AROUND_CELL)) - 1.0;
-    const glm::ivec2 from(glm::max(glm::floor(low / static_cast<double>(AROUND_CELL)), glm::dvec2(0))),
-        to(glm::min(glm::floor(high / static_cast<double>(AROUND_CELL)), cells));
+    constexpr double kCell = AROUND_CELL, kMostCells = 65536;  // along an axis: a key has 16 bits for each
+    const glm::dvec2 last = glm::min(glm::ceil(t.size / kCell), glm::dvec2(kMostCells)) - 1.0;
+    if (!(low.x <= high.x && low.y <= high.y)) return;
+    const glm::ivec2 from(glm::clamp(glm::floor(low / kCell), glm::dvec2(0), last + 1.0)),
+        to(glm::clamp(glm::floor(high / kCell), glm::dvec2(-1), last));
     for (int z = from.y; z <= to.y; ++z)
-        for (int x = from.x; x <= to.x; ++x) out.insert({z, x});
+        for (int x = from.x; x <= to.x && out.size() < kMostGroundTiles; ++x) out.insert({z, x});
 }
 
 float offOpen(const AroundFactors& change, const AroundLights& lights) {
@@ -147,9 +156,10 @@ Result<std::vector<GroundTile>> traceGround(const AroundTracer& tracer, const Pr
     std::set<Place> reached, beside, feet;
     for (const StandingBox& b : boxes) {
         const double reach = std::min(kReach * b.top, kMostReach);
-        if (reached.size() < kMostGroundTiles) addCells(reached, *ground.terrain, b.low - reach, b.high + reach);
+        addCells(reached, *ground.terrain, b.low - reach, b.high + reach);
         addCells(beside, *ground.terrain, b.low - kAbout, b.high + kAbout);
-        if (b.footLow.x <= b.footHigh.x)
+        const glm::dvec2 foot = b.footHigh - b.footLow;
+        if (std::max(foot.x, foot.y) < kLargeFoot)
             addCells(feet, *ground.terrain, b.footLow - kAboutFoot, b.footHigh + kAboutFoot);
     }
     const AroundLights& lights = tracer.lights();
@@ -165,7 +175,7 @@ Result<std::vector<GroundTile>> traceGround(const AroundTracer& tracer, const Pr
     for (const Place& c : reached)
         if (feet.contains(c))
             refine(c, kFine);
-        else if (beside.contains(c) || isRoughOf(c, kRough / 2))
+        else if (!points.isHidden(c) && (beside.contains(c) || isRoughOf(c, kRough / 2)))
             refine(c, kCoarse);
     points.trace();
     for (const Place& c : reached)

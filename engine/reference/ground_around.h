@@ -1,7 +1,7 @@
 // What objects change of the light from all around on the ground about them: the shade where they stand, and what they
 // throw back. Found by rays (reference/around_tracer.h) at the corners of squares of 2 m, over as far as an object may
-// reach; every half metre within those that differ, or in which something stands; and 16 a side at the foot of objects,
-// and where the light changes by much. Squares without a change are left out.
+// reach; every half metre within those that differ, or in which something stands; and 16 a side at the foot of objects
+// of less than 8 m, and where the light changes by much. Squares without a change are left out.
 // Does not: hills, which the map of ambient occlusion has (reference/occlusion.h); light of lamps. Cost on two cores:
 // 0.3 s for rockery, 4 s for park, under whose trees most rays meet leaves. 36 bytes a point in the cache folder, 2.3
 // kB a square on the GPU.

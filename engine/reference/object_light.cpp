@@ -25,7 +25,7 @@ namespace sward {
 namespace {
 
 constexpr const char* kOwner = "objects/light";
-constexpr uint32_t kVersion = 10;      // of the method: another one finds other light
+constexpr uint32_t kVersion = 11;      // of the method: another one finds other light
 constexpr double kPerM2 = 80;          // points; from one for two vertices of a mesh to two for each,
 constexpr size_t kFewest = 1024;       // and at least so many
 constexpr float kUnreached = 0.05f;    // what a point counts that no light reaches

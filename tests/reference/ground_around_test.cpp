@@ -126,6 +126,30 @@ TEST(GroundAround, WithoutObjectsOrGroundThereIsNone) {
     EXPECT_TRUE(tilesOf(p).empty());
 }
 
+// A floor as large as a town has squares where its edge is, at most so many, and takes no minutes.
+TEST(GroundAround, LargeAndFarObjectsAreBounded) {
+    const TempDir dir;
+    Project p = plain(dir);
+    putObject(p, "town", {{.size = {3000, 0.2f, 3000}}}, {2000, 0, 2000});
+    putObject(p, "far", {{.size = {1, 1, 1}}}, {1e15, 0, -1e15});
+    const std::vector<GroundTile> tiles = tilesOf(p);
+    EXPECT_LE(tiles.size(), kMostGroundTiles);
+    removeEntity(p, "town");
+    EXPECT_TRUE(tilesOf(p).empty()) << "what stands far from the terrain changes nothing there";
+    const StandingBox none{glm::dvec2(1e300), glm::dvec2(-1e300), glm::dvec2(1e300), glm::dvec2(-1e300), 0};
+    const auto nothing = traceGround(tracerOf(p), p, {none}, JobControl{});
+    ASSERT_TRUE(nothing);
+    EXPECT_TRUE(nothing->empty()) << "a mesh without vertices";
+}
+
+TEST(GroundAround, AThinWallIsFoundAlongAllOfIt) {
+    const TempDir dir;
+    Project p = plain(dir);
+    putObject(p, "wall", {{.size = {60, 2, 0.1f}, .color = {0, 0, 0}}}, {2000, 0, 2000.9});
+    const PackedGround packed = packGround(tilesOf(p), tracerOf(p).lights());
+    for (double x = 1972; x < 2028; x += 0.5) EXPECT_LT(shareIn(packed, x, 2000.625).y, 0.7f) << x;
+}
+
 TEST(GroundAround, CanBeCancelled) {
     const TempDir dir;
     const Project p = withCube(dir);
