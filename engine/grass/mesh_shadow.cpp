@@ -7,25 +7,20 @@
 namespace sward {
 namespace {
 
-struct ShellVertex {
-    glm::vec3 position;
-    glm::vec2 uv;
-};
-
-std::vector<ShellVertex> shellOf(const MeshCarrier& carrier, const MapField& density, float height) {
-    std::vector<ShellVertex> out;
+std::vector<glm::vec3> shellOf(const MeshCarrier& carrier, const MapField& density, float height) {
+    std::vector<glm::vec3> out;
     for (const CarrierVertex& v : carrier.vertices) {
         const float grows =
             density.present() ? tiledSample(density.map, {glm::dvec2(1), true}, double(v.uv.x), double(v.uv.y)) : 1.0f;
-        out.push_back({v.position + v.normal * (v.lift * height * shadowHeight(grows)), v.uv});
+        out.push_back(v.position + v.normal * (v.lift * height * shadowHeight(grows)));
     }
     return out;
 }
 
-// As drawCaster wants it.
+// As drawCaster wants it; nothing is cut out, so that texture coordinates are not read.
 void describe(const MeshShadow& s) {
     const GLuint mesh = s.mesh.id();
-    glVertexArrayVertexBuffer(mesh, 0, s.vertices.id(), 0, sizeof(ShellVertex));
+    glVertexArrayVertexBuffer(mesh, 0, s.vertices.id(), 0, sizeof(glm::vec3));
     glVertexArrayElementBuffer(mesh, s.indices.id());
     glVertexArrayBindingDivisor(mesh, 1, 1);
     const auto attribute = [&](GLuint number, GLuint binding, int channels, size_t offset) {
@@ -33,8 +28,7 @@ void describe(const MeshShadow& s) {
         glVertexArrayAttribBinding(mesh, number, binding);
         glVertexArrayAttribFormat(mesh, number, channels, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
     };
-    attribute(0, 0, 3, offsetof(ShellVertex, position));
-    attribute(2, 0, 2, offsetof(ShellVertex, uv));
+    attribute(0, 0, 3, 0);
     for (GLuint row = 0; row < 3; ++row) attribute(3 + row, 1, 4, row * sizeof(glm::vec4));
 }
 
@@ -50,16 +44,16 @@ void updateMeshShadow(DrawContext& ctx, MeshShadow& s, const char* owner, const 
                       const std::string& version, const MapField& density, float height, float scale) {
     const float high = height / scale;
     if (s.version == version && s.height == high && s.density.sameTiles(density.map)) return;
-    const std::vector<ShellVertex> vertices = shellOf(carrier, density, high);
-    s.vertices = makeBuffer(ctx.gpu, owner, vertices.size() * sizeof(ShellVertex), vertices.data());
+    const std::vector<glm::vec3> vertices = shellOf(carrier, density, high);
+    s.vertices = makeBuffer(ctx.gpu, owner, vertices.size() * sizeof(glm::vec3), vertices.data());
     s.indices = makeBuffer(ctx.gpu, owner, carrier.indices.size() * sizeof(uint32_t), carrier.indices.data());
     s.mesh = makeVertexArray(owner);
     describe(s);
     s.version = version, s.density = density.map, s.height = high;
     s.indexCount = static_cast<uint32_t>(carrier.indices.size());
-    s.hash = hashBytes(vertices.data(), vertices.size() * sizeof(ShellVertex));
+    s.hash = hashBytes(vertices.data(), vertices.size() * sizeof(glm::vec3));
     glm::vec3 low(1e30f), far(-1e30f);
-    for (const ShellVertex& v : vertices) low = glm::min(low, v.position), far = glm::max(far, v.position);
+    for (const glm::vec3& v : vertices) low = glm::min(low, v), far = glm::max(far, v);
     s.centre = (low + far) * 0.5f, s.radius = glm::length(far - low) * 0.5f;
 }
 

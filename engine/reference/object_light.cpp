@@ -25,10 +25,11 @@ namespace sward {
 namespace {
 
 constexpr const char* kOwner = "objects/light";
-constexpr uint32_t kVersion = 11;      // of the method: another one finds other light
+constexpr uint32_t kVersion = 12;      // of the method: another one finds other light
 constexpr double kPerM2 = 80;          // points; from one for two vertices of a mesh to two for each,
 constexpr size_t kFewest = 1024;       // and at least so many
-constexpr float kUnreached = 0.05f;    // what a point counts that no light reaches
+constexpr uint32_t kSeed = 1;          // of the points
+constexpr float kUnreached = 0.01f;    // what a point counts that no light reaches
 constexpr double kGroundsShare = 0.2;  // of the progress
 
 // A copy of the project may number its entities otherwise.
@@ -70,7 +71,7 @@ void lightVertices(const AroundTracer& tracer, const Ground& ground, const Place
     const auto placeOf = [&](const SurfacePoint& p) {
         return m.at - ground.origin + m.turn * (scale * glm::dvec3(mixedAt(mesh, p, &MeshVertex::position)));
     };
-    std::vector<SurfacePoint> points = pointsOver(mesh, pointsOf(mesh, scale), kVersion);
+    std::vector<SurfacePoint> points = pointsOver(mesh, pointsOf(mesh, scale), kSeed);
     std::erase_if(points, [&](const SurfacePoint& p) { return isInGround(ground, placeOf(p)); });
     std::vector<FittedRow> found(points.size());
     parallelFor(points.size(), [&](size_t i) {
