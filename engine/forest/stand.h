@@ -33,7 +33,6 @@ struct ForestHere {
     float throughOf(size_t i) const { return leaves[i] * rule.species[i].translucency; }
     // Light in its air, by forest/texcells while there are volumes; 0: none. What they name is that effect's.
     GLuint light = 0, lightGlobals = 0;
-    std::vector<float> around;      // by tree: share of the forest that stands around it
     uint64_t stood = 0, grown = 0;  // another number each time that the stand, or tiles and meshes, are made anew
 };
 struct ForestsState : EffectState {

@@ -219,10 +219,6 @@ void publish(DrawContext& ctx, Volume& v, ForestHere& here) {
     writeBuffer(ctx.gpu, v.globals, kOwner, sizeof(g), &g);
     here.light = v.light.id();
     here.lightGlobals = v.globals.id();
-    here.around.assign(here.stand->trees.size(), 0);
-    for (size_t i = 0; i < v.prisms.size(); ++i)
-        for (const int32_t n : here.stand->triangles[i].trees)
-            if (n >= 0) here.around[static_cast<size_t>(n)] = v.prisms[i].canopy.y;
 }
 
 // --- shade on the ground -------------------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 
 #include "core/hash.h"
 #include "forest/stand.h"
+#include "forest/tree_light.h"
 #include "frame/color_image.h"
 #include "frame/gpu_mesh.h"
 #include "mesh/facing.h"
@@ -16,52 +17,84 @@ namespace {
 constexpr const char* kOwner = "forest/trees";
 constexpr double kShadowsFrom = 300;  // metres to which trees cast shadows: beyond the reach of all maps
 
-// A species' mesh at each level.
-using TreeLevels = std::array<GpuMesh, kTreeLevels>;
+// A species' mesh at one level, and what its leaves leave of the light from all around at its vertices.
+struct TreeLevel : GpuMesh {
+    Buffer shares;
+};
+using TreeLevels = std::array<TreeLevel, kTreeLevels>;
 struct Uploaded {
-    uint64_t grown = 0;  // ForestHere::grown
+    uint64_t grown = 0;       // ForestHere::grown
+    float verticalScale = 1;  // Forest's
     std::vector<TreeLevels> species;
+    uint64_t stood = 0;             // ForestHere::stood
+    std::vector<glm::vec3> around;  // by tree: woodAround
 };
 struct TreesState : EffectState {
     std::map<std::string, Uploaded> forests;  // by entity
     Texture white;
     explicit TreesState(Gpu& gpu) : white(makeColorTexture(gpu, kOwner, {1, 1, {255, 255, 255, 255}})) {}
 };
+// Where an instance stands in its forest.
+struct TreePlace {
+    glm::vec2 stored;  // lattice coordinates in the cells that repeat
+    glm::vec3 around;  // woodAround
+};
 // Instances of one mesh that are seen.
 struct Group {
     const ForestHere* here;
-    const GpuMesh* mesh;
+    const TreeLevel* mesh;
     size_t species, first, seen;
 };
 struct TreesView : EffectState {
     Buffer instances, placesBuffer;
     std::vector<ObjectInstance> rows;
-    std::vector<glm::vec3> places;  // of each row: lattice coordinates as stored, and the share of trees around
+    std::vector<TreePlace> places;  // of each row
     std::vector<Group> groups;
     TreeSway sway;
 };
 
-constexpr GLuint kPlace = 6, kPlaceBinding = 2;
+constexpr GLuint kPlace = 6, kPlaceBinding = 2, kWood = 7, kAlone = 8, kAmong = 9, kOpen = 10, kSharesBinding = 3;
 
-GpuMesh uploadTree(Gpu& gpu, const Mesh& mesh) {
-    GpuMesh out = uploadMesh(gpu, kOwner, mesh);
+TreeLevel uploadTree(Gpu& gpu, const Mesh& mesh, const std::vector<VertexShares>& shares) {
+    TreeLevel out{uploadMesh(gpu, kOwner, mesh), {}};
     out.leaves = leafParts(mesh);
+    out.shares = makeBuffer(gpu, kOwner, shares.size() * sizeof(VertexShares), shares.data());
     const GLuint id = out.mesh.id();
-    glEnableVertexArrayAttrib(id, kPlace);
-    glVertexArrayAttribBinding(id, kPlace, kPlaceBinding);
-    glVertexArrayAttribFormat(id, kPlace, 3, GL_FLOAT, GL_FALSE, 0);
+    const auto attribute = [&](GLuint number, GLuint binding, GLint count, GLenum type, size_t offset) {
+        glEnableVertexArrayAttrib(id, number);
+        glVertexArrayAttribBinding(id, number, binding);
+        glVertexArrayAttribFormat(id, number, count, type, type != GL_FLOAT, static_cast<GLuint>(offset));
+    };
+    attribute(kPlace, kPlaceBinding, 2, GL_FLOAT, offsetof(TreePlace, stored));
+    attribute(kWood, kPlaceBinding, 3, GL_FLOAT, offsetof(TreePlace, around));
     glVertexArrayBindingDivisor(id, kPlaceBinding, 1);
+    glVertexArrayVertexBuffer(id, kSharesBinding, out.shares.id(), 0, sizeof(VertexShares));
+    attribute(kAlone, kSharesBinding, 4, GL_UNSIGNED_BYTE, offsetof(VertexShares, alone));
+    attribute(kAmong, kSharesBinding, 4, GL_UNSIGNED_BYTE, offsetof(VertexShares, among));
+    attribute(kOpen, kSharesBinding, 3, GL_BYTE, offsetof(VertexShares, open));
     return out;
 }
 
 void upload(DrawContext& ctx, Uploaded& u, const ForestHere& here) {
-    if (u.grown == here.grown) return;
-    u.grown = here.grown;
+    if (u.grown == here.grown && u.verticalScale == here.rule.verticalScale) return;
+    u.grown = here.grown, u.verticalScale = here.rule.verticalScale;
     u.species.clear();
     u.species.resize(here.meshes.size());
+    std::vector<TreeAir> airs;
+    for (const Mesh& m : here.meshes) airs.push_back(leafAir(m));
+    const WoodAir wood = woodAir(here.stand->tiles, static_cast<double>(here.rule.perHectare), airs);
+    const double up = static_cast<double>(u.verticalScale);
     for (size_t i = 0; i < here.meshes.size(); ++i)
-        for (size_t l = 0; l < kTreeLevels && !here.meshes[i].parts.empty(); ++l)
-            u.species[i][l] = uploadTree(ctx.gpu, thinned(here.meshes[i], kTreeKeep[l]));
+        for (size_t l = 0; l < kTreeLevels && !here.meshes[i].parts.empty(); ++l) {
+            const Mesh mesh = thinned(here.meshes[i], kTreeKeep[l]);
+            u.species[i][l] = uploadTree(ctx.gpu, mesh, lightOnTree(mesh, airs[i], wood, up));
+        }
+}
+
+void followStand(Uploaded& u, const ForestHere& here) {
+    if (u.stood == here.stood) return;
+    u.stood = here.stood;
+    u.around = woodAround(*here.stand, static_cast<double>(here.rule.perHectare));
 }
 
 size_t levelAt(double distance, double height, double detail) {
@@ -75,17 +108,17 @@ float widest(const StandingTree& t) { return t.size * std::max(t.upright, 1.0f);
 
 using Chosen = std::vector<const StandingTree*>;  // of one mesh, in this frame
 
-void addRow(const DrawContext& ctx, TreesView& view, const ForestHere& here, const StandingTree& t) {
+void addRow(const DrawContext& ctx, TreesView& view, const ForestHere& here, const Uploaded& u, const StandingTree& t) {
     const glm::dvec3 at = t.at - ctx.camera.eye;
     view.rows.push_back(instanceAt(at, view.sway.at(here.rule, {at.x, at.z}) * turnOf(t)));
     const size_t number = static_cast<size_t>(&t - here.stand->trees.data());
-    view.places.emplace_back(t.stored, here.light ? here.around[number] : 0);
+    view.places.push_back({t.stored, u.around[number]});
 }
 
-void addGroup(const DrawContext& ctx, TreesView& view, const ForestHere& here, size_t species, const GpuMesh& m,
-              const Chosen& seen) {
+void addGroup(const DrawContext& ctx, TreesView& view, const ForestHere& here, const Uploaded& u, size_t species,
+              const TreeLevel& m, const Chosen& seen) {
     view.groups.push_back({&here, &m, species, view.rows.size(), seen.size()});
-    for (const StandingTree* t : seen) addRow(ctx, view, here, *t);
+    for (const StandingTree* t : seen) addRow(ctx, view, here, u, *t);
 }
 
 // What shadow maps are kept by: where the tree stands, at which level, and how it leans.
@@ -121,7 +154,7 @@ void chooseSeen(DrawContext& ctx, TreesView& view, const ForestHere& here, const
     }
     for (size_t s = 0; s < chosen.size(); ++s)
         for (size_t l = 0; l < kTreeLevels; ++l)
-            if (!chosen[s][l].empty()) addGroup(ctx, view, here, s, u.species[s][l], chosen[s][l]);
+            if (!chosen[s][l].empty()) addGroup(ctx, view, here, u, s, u.species[s][l], chosen[s][l]);
 }
 
 // What casts shadows, seen or not: the same for all views and wherever they look, so that shadow maps are kept.
@@ -137,7 +170,7 @@ uint64_t chooseCasters(DrawContext& ctx, TreesView& view, const ForestHere& here
         addCaster(ctx, m, view.rows.size(), 1,
                   glm::vec3(t.at - ctx.camera.eye) + m.centre * glm::vec3(1, t.upright, 1) * t.size,
                   (m.radius + glm::length(glm::vec2(m.centre.x, m.centre.z))) * widest(t));
-        addRow(ctx, view, here, t);
+        addRow(ctx, view, here, u, t);
         hashCaster(h, view, t, m);
     }
     return h.value();
@@ -159,18 +192,19 @@ void place(DrawContext& ctx) {
         if (!drawsMeshes(*here)) continue;
         Uploaded& u = s.forests[here->entity];
         upload(ctx, u, *here);
+        followStand(u, *here);
         chooseSeen(ctx, view, *here, u);
         ctx.shared.castersHash += chooseCasters(ctx, view, *here, u);
     }
     writeBuffer(ctx.gpu, view.instances, kOwner, view.rows.size() * sizeof(ObjectInstance), view.rows.data());
-    writeBuffer(ctx.gpu, view.placesBuffer, kOwner, view.places.size() * sizeof(glm::vec3), view.places.data());
+    writeBuffer(ctx.gpu, view.placesBuffer, kOwner, view.places.size() * sizeof(TreePlace), view.places.data());
     // Of meshes that nobody sees, too: they may cast shadows.
     for (const auto& [entity, u] : s.forests)
         for (const TreeLevels& levels : u.species)
-            for (const GpuMesh& m : levels) {
+            for (const TreeLevel& m : levels) {
                 if (!m.mesh.id()) continue;
                 glVertexArrayVertexBuffer(m.mesh.id(), 1, view.instances.id(), 0, sizeof(ObjectInstance));
-                glVertexArrayVertexBuffer(m.mesh.id(), kPlaceBinding, view.placesBuffer.id(), 0, sizeof(glm::vec3));
+                glVertexArrayVertexBuffer(m.mesh.id(), kPlaceBinding, view.placesBuffer.id(), 0, sizeof(TreePlace));
             }
 }
 

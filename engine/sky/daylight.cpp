@@ -32,32 +32,49 @@ glm::vec3 sunOf(const Project& p, double seconds) {
     return light ? directionTo(*light, seconds) : glm::vec3(0, 1, 0);
 }
 
+constexpr float kLeastSine = 0.15f;  // of the sun, for which the glow grows
+
 using SkySeen = std::function<glm::vec3(const glm::vec3& towards)>;
 
 // Irradiance of the sky on level ground, divided by pi, and what falls on upright leaves all around, of which the more
 // is hidden by others the lower it comes from (by the sine's root, as paths up from a lawn's leaves are spread: their
 // mean sine is 0.5): midpoint rule over 12 elevations and 24 azimuths.
+// And what falls on a wall that looks along `wall` (unit, level).
 struct SkyFalls {
-    glm::vec3 onGround{0}, onLeaves{0};
+    glm::vec3 onGround{0}, onLeaves{0}, onWall{0};
 };
-SkyFalls skyFalls(const SkySeen& seen) {
+SkyFalls skyFalls(const SkySeen& seen, const glm::vec2& wall) {
     constexpr int kRows = 12, kColumns = 24;
     SkyFalls sum;
     for (int r = 0; r < kRows; ++r)
         for (int c = 0; c < kColumns; ++c) {
             const float y = (r + 0.5f) / kRows, h = std::sqrt(1 - y * y), a = 2 * kPi * (c + 0.5f) / kColumns;
-            const glm::vec3 radiance = seen(glm::vec3(h * std::cos(a), y, h * std::sin(a)));
+            const glm::vec2 level = h * glm::vec2(std::cos(a), std::sin(a));
+            const glm::vec3 radiance = seen(glm::vec3(level.x, y, level.y));
             sum.onGround += radiance * y;
             sum.onLeaves += radiance * (h * std::sqrt(y));
+            sum.onWall += radiance * std::max(glm::dot(level, wall), 0.0f);
         }
     const float each = 2.0f / (kRows * kColumns);  // solid angle 2 pi / n, divided by pi
-    return {sum.onGround * each, sum.onLeaves * each};
+    return {sum.onGround * each, sum.onLeaves * each, sum.onWall * each};
+}
+// Of a sky whose radiance is 1.
+const SkyFalls& evenFalls() {
+    static const SkyFalls falls = skyFalls([](const glm::vec3&) { return glm::vec3(1); }, {1, 0});
+    return falls;
 }
 glm::vec3 tiltOf(const SkyFalls& sky) {
-    static const float even = skyFalls([](const glm::vec3&) { return glm::vec3(1); }).onLeaves.x,
-                       tilted = skyFalls([](const glm::vec3&d) { return glm::vec3(skyTilted(d.y)); }).onLeaves.x;
+    static const float even = evenFalls().onLeaves.x,
+                       tilted =
+                           skyFalls([](const glm::vec3&d) { return glm::vec3(skyTilted(d.y)); }, {1, 0}).onLeaves.x;
     const glm::vec3 leaves = sky.onLeaves / glm::max(sky.onGround, glm::vec3(1e-9f));
     return glm::clamp((leaves - even) / tilted, -1.5f, 3.0f);
+}
+
+// A wall that looks away from the sun has the even sky's light alone: what level ground has more is the glow's.
+glm::vec3 glowOf(const SkyFalls& sky, float sunsSine) {
+    const glm::vec3 even = sky.onWall * (evenFalls().onGround.x / evenFalls().onWall.x);
+    return sunsSine > 0 ? glm::max(sky.onGround - even, glm::vec3(0)) / std::max(sunsSine, kLeastSine) : glm::vec3(0);
 }
 
 // The sky at the horizon as horizonLight has it: a polynomial through the five points of Chebyshev's between the least
@@ -91,8 +108,9 @@ void integrateSky(SkySums& s, const glm::vec3& sun, float turbidity, const AirTa
     const SkySeen seen = [&](const glm::vec3& towards) {
         return air ? skyOf(*air, sun, towards) : f32::skyRadiance(towards, sun, turbidity);
     };
-    const SkyFalls falls = skyFalls(seen);
-    s.level = falls.onGround, s.tilt = tiltOf(falls);
+    const float across = glm::length(glm::vec2(sun.x, sun.z));
+    const SkyFalls falls = skyFalls(seen, across > 1e-4f ? -glm::vec2(sun.x, sun.z) / across : glm::vec2(1, 0));
+    s.level = falls.onGround, s.tilt = tiltOf(falls), s.glow = glowOf(falls, sun.y);
     fitHorizon(s, sun, seen);
 }
 
@@ -178,7 +196,7 @@ void addSky(FrameGlobals& g, const Project& p, double seconds, SkySums& s, const
     g.turbidity = turbidity;
     g.skyGain = gain;
     g.sunLight *= balance;
-    g.skyLight = s.level * gain;
+    g.skyLight = s.level * gain, g.skyGlow = s.glow * gain;
     g.groundLight = g.groundLight * balance + s.level * gain * kGroundAlbedo;
     for (int i = 0; i < 5; ++i) g.horizon[i] = glm::vec4(s.horizon[i] * gain, 0);
     g.horizonMiddle = s.horizonMiddle, g.horizonScale = s.horizonScale;

@@ -20,7 +20,7 @@ entity.add("trees", { Forest = {
     },
 } })
 entity.add("grass", { GrassField = {
-    cellSize = 1, minGeom = 2.5, maxGeom = 7, minBTF = 14, maxBTF = 26, slices = 16, sliceWidth = 256, farSize = 256,
+    cellSize = 1, minGeom = 5, maxGeom = 12, minBTF = 14, maxBTF = 26, slices = 16, sliceWidth = 256, farSize = 256,
     species = {
         { name = "meadow", bladesPerM2 = 900, height = 0.3, heightVariation = 0.3, width = 0.006, bend = 0.6, leanDeg = 12, leanVariationDeg = 14,
           segments = 3, clumpSize = 0.4, clumpStrength = 0.5, translucency = 0.7, gloss = 0.3,

@@ -1,6 +1,6 @@
 // A near tree's colour, diffuse, lit by sun, sky and lamps, and by what shines through its leaves, in the haze. Light
-// from the sky and from the leaves around comes through the same air as the volumes' does, where there are volumes; the
-// others' through the shadow maps.
+// from the sky's two halves comes past the leaves of its own crown and of the wood around (forest/tree_light.h), that
+// of sun and lamps past shadow maps.
 #include "lib/canopy.glsl"
 #include "lib/frame.glsl"
 #include "lib/lamp_shadow.glsl"
@@ -27,20 +27,25 @@ in vec3 normal;
 in vec2 uv;
 in vec3 air;
 flat in float around;
+in vec4 shares;
+in float open;
 in vec3 moved;
 layout(location = 0) out vec4 color;
 
-// Light from above, from below and from the leaves around.
-struct Around {
-    vec3 above, below, leaves;
-};
-Around lightAround() {
-    if (!FOREST_VOLUMES) return Around(frame.skyLight, frame.groundLight, vec3(0.0));
-    vec4 shares = pow(max(lightShares(air.xy / forest.cells, air.z, FOREST_LEVEL), vec4(LEAST_LIGHT)), vec4(around));
-    vec3 above = frame.skyLight * shares.g,
-         below = frame.groundLight * (shares.b * pow(max(forest.floor, LEAST_LIGHT), around));
-    vec3 sun = SUN ? frame.sunLight * shares.r : vec3(0.0);
-    return Around(above, below, lightFromLeaves(scatter, sun, above, below, 0.5 * (shares.g + shares.b)));
+// Light of the sky without its glow around the sun, which comes and goes with the sun's.
+vec3 evenSky() { return SUN ? frame.skyLight - frame.skyGlow * frame.sunDirection.y : frame.skyLight; }
+vec3 sunAndGlow() { return frame.sunLight + frame.skyGlow; }
+// Light from the sky's two halves on a surface, past leaves. shares: of both, above and below.
+vec3 lightPast(vec2 shares, float floorShare, float up) {
+    return halvesLight(frame.groundLight * (floorShare * shares.y), evenSky() * shares.x, up);
+}
+// Light that the leaves around throw there. held: shares, of both sides.
+vec3 lightOfLeaves(vec4 held, float floorShare) {
+    vec2 past = 0.5 * (held.xy + held.zw);
+    float sun = clamp(open, 0.0, 1.0);
+    if (FOREST_VOLUMES) sun *= pow(max(lightShares(air.xy / forest.cells, air.z, FOREST_LEVEL).r, LEAST_LIGHT), around);
+    return lightFromLeaves(scatter, SUN ? sunAndGlow() * sun : vec3(0.0), evenSky() * past.x,
+                           frame.groundLight * (floorShare * past.y), 0.5 * (past.x + past.y));
 }
 
 // What the surface sends of all lamps' light; through: of what falls on its other side. Leaves are flat: raised as
@@ -62,14 +67,17 @@ void main() {
     vec3 n = normalize(gl_FrontFacing ? normal : -normal);
     vec3 own = texel.rgb * reflectance;
     float through = leaves * translucency;
-    Around from = lightAround();
-    vec3 light = own * (halvesLight(from.below, from.above, n.y) + from.leaves) +
-                 leafThrough(own) * (through * (halvesLight(from.below, from.above, -n.y) + from.leaves));
+    float floorShare = FOREST_VOLUMES ? pow(max(forest.floor, LEAST_LIGHT), around) : 1.0;
+    vec4 held = clamp(shares, 0.0, 1.0);  // beside slivers they are mixed beyond their corners'
+    vec4 sides = gl_FrontFacing ? held : held.zwxy;
+    vec3 others = lightOfLeaves(held, floorShare);
+    vec3 light = own * (lightPast(sides.xy, floorShare, n.y) + others) +
+                 leafThrough(own) * (through * (lightPast(sides.zw, floorShare, -n.y) + others));
     if (SUN) {
         float facing = dot(n, frame.sunDirection);
         vec3 lit = facing < 0.0 ? -n : n;
         vec3 sent = facing < 0.0 ? leafThrough(own) * through : own;
-        light += frame.sunLight * sent * (abs(facing) * sunPastMeshes(position, lit));
+        light += sunAndGlow() * sent * (abs(facing) * sunPastMeshes(position, lit));
     }
     if (LAMPS) light += lampsSent(n, own, leafThrough(own) * through);
     color = objectColor(light, n, position);

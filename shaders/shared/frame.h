@@ -45,6 +45,8 @@ struct STD140 FrameGlobals {
     float landReach;  // metres beyond the terrain's edges; 0: there is none
     vec3 landGrass;   // reflectance of its grass
     float landFade;   // 1 / metres over which it comes to the mean; 0: it does not
+    vec3 skyGlow;  // as sunLight, the part of skyLight that comes from around the sun (sky/daylight.h); else it is even
+    uint aroundSlots;  // entries of the table of cells (below)
     // The view.
     int mode;              // ViewMode
     int samples;           // a pixel
@@ -61,10 +63,9 @@ struct STD140 FrameGlobals {
     uint chanceShift;  // 256ths by which this frame moves the chances that samples are covered (post/antialias.h)
     float lookShare;   // of a pixel's width, over which maps are looked up along the ground (lib/looks.glsl)
     // What objects leave of light from all around on the ground (lib/ground_around.glsl): the cells that have some lie
-    // from here to before there; entries of their table.
+    // from here to before there.
     ivec2 aroundFrom;
     ivec2 aroundTo;
-    uint aroundSlots;
 };
 
 #ifdef __cplusplus

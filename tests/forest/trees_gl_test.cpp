@@ -138,6 +138,48 @@ TEST(ForestTrees, AreLitThroughTheAirOfTheVolumes) {
     EXPECT_LT(std::abs(lit - truth), 0.5 * std::abs(open - truth)) << "meshes without volumes know no canopy";
 }
 
+// Mean green light of what a tree alone sends against the sun: most of what is seen of it is lit from all around.
+double againstTheSun(const std::vector<float>& shares, const std::vector<float>& pixels) {
+    double sum = 0, count = 0;
+    for (size_t i = 0; i < shares.size(); ++i)
+        if (shares[i] > 0.99f) sum += static_cast<double>(pixels[3 * i + 1]), count += 1;
+    EXPECT_GT(count, 300) << "pixels";
+    return sum / count;
+}
+
+TEST(ForestTrees, LightFromAllAroundComesAsItDoesInTheTruth) {
+    NoGlErrors errors;
+    const ViewCamera side{{60, 4, 80}, {60, 6, 60}, 40, 0};
+    const std::pair<const char*, TreeKind> kinds[] = {
+        {"conifer", TreeKind::Conifer}, {"broadleaf", TreeKind::Broadleaf}, {"birch", TreeKind::Birch}};
+    for (const auto& [kind, of] : kinds) {
+        Project p = wood(std::numeric_limits<float>::infinity());
+        removeEntity(p, "haze");
+        Light& sun = *p.registry.get<Light>(findEntity(p, "sun"));
+        sun.azimuthDeg = 0, sun.elevationDeg = 35;
+        Forest& f = *p.registry.get<Forest>(findEntity(p, "trees"));
+        f.species = {{.kind = of, .leaves = 1500}};
+        f.perHectare = 0, f.placed = {{.at = {60, 60}}}, f.castShadows = true;
+        JobControl control;
+        const auto rays = ReferenceScene::make(p, tables(), 0, control);
+        ASSERT_TRUE(rays);
+        ReferenceSettings settings;
+        settings.width = 160, settings.height = 120, settings.samples = 32;
+        const auto truth = rays->trace(side, settings, control);
+        ASSERT_TRUE(truth);
+        Renderer renderer(gpu(), tables());
+        ASSERT_TRUE(renderer.draw(p, side, small()));
+        const double share =
+            againstTheSun(truth->grass, renderer.readLinear()) / againstTheSun(truth->grass, truth->color);
+        std::printf("%s: %.3f of the truth\n", kind, share);
+        // Its shadow lies on the ground before it, which counts as lit.
+        if (of == TreeKind::Conifer)
+            expectMissed(std::string(kind) + " against the sun", std::abs(share - 1), 0.25, 0.387);
+        else
+            EXPECT_NEAR(share, 1, 0.25) << kind;
+    }
+}
+
 // One tree at night on black ground, with a lamp.
 Project treeAtNight(const TreeSpecies& species, const glm::dvec3& lamp) {
     Project p = wood(std::numeric_limits<float>::infinity());
