@@ -31,8 +31,7 @@ std::vector<LeafyWay> waysThrough(const TreeAir& air, double verticalScale) {
     return out;
 }
 
-// Optical depth through a tree's own air, from half a part off, so that a leaf does not hide itself; `out`: where the
-// way leaves that air or meets the ground.
+// Optical depth through a tree's own air; `out`: where the way leaves that air or meets the ground.
 double ownDepth(const TreeAir& air, const glm::dvec3& from, const LeafyWay& way, glm::dvec3& out) {
     const double half = 0.5 * air.side * air.part;
     const auto side = static_cast<size_t>(air.side);

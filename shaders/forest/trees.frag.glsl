@@ -39,13 +39,16 @@ vec3 sunAndGlow() { return frame.sunLight + frame.skyGlow; }
 vec3 lightPast(vec2 shares, float floorShare, float up) {
     return halvesLight(frame.groundLight * (floorShare * shares.y), evenSky() * shares.x, up);
 }
+// Of the light on a leaf that is seen, what those have that it sees: they lie deeper in its crown (docs/forest.md).
+const float kDeeper = 0.5;
 // Light that the leaves around throw there. held: shares, of both sides.
 vec3 lightOfLeaves(vec4 held, float floorShare) {
     vec2 past = 0.5 * (held.xy + held.zw);
     float sun = clamp(open, 0.0, 1.0);
     if (FOREST_VOLUMES) sun *= pow(max(lightShares(air.xy / forest.cells, air.z, FOREST_LEVEL).r, LEAST_LIGHT), around);
-    return lightFromLeaves(scatter, SUN ? sunAndGlow() * sun : vec3(0.0), evenSky() * past.x,
-                           frame.groundLight * (floorShare * past.y), 0.5 * (past.x + past.y));
+    return mix(1.0, kDeeper, leaves) * lightFromLeaves(scatter, SUN ? sunAndGlow() * sun : vec3(0.0),
+                                                       evenSky() * past.x, frame.groundLight * (floorShare * past.y),
+                                                       0.5 * (past.x + past.y));
 }
 
 // What the surface sends of all lamps' light; through: of what falls on its other side. Leaves are flat: raised as
