@@ -19,6 +19,7 @@ constexpr double kLeastTexel = 0.5;     // metres of the map
 constexpr double kLowestSine = 0.1045;  // of 6 degrees
 constexpr float kMostDepth = 8;
 constexpr int kSkyDirections = 24;
+constexpr double kMostSkyTexels = 128;  // along an image of the sky's shade: those of an enormous tree are larger
 
 glm::dvec3 raised(const glm::dvec3& light) {
     if (light.y >= kLowestSine) return light;
@@ -116,7 +117,7 @@ TreeShade shadeTowards(const TreeAir& air, const glm::dvec3& light, double verti
 TreeShade shadeOfSky(const TreeAir& air, double verticalScale) {
     if (air.side == 0) return {};
     const double reach = 0.5 * air.side * air.part + air.height * verticalScale;
-    const double texel = kSkyCoarser * air.part;
+    const double texel = std::max(kSkyCoarser * air.part, 2 * reach / kMostSkyTexels);
     TreeShade s = imageOver(glm::dvec2(-reach), glm::dvec2(reach), texel);
     struct Direction {
         glm::dvec3 way;

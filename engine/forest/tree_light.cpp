@@ -11,7 +11,8 @@
 namespace sward {
 namespace {
 
-constexpr int kLeafyWays = 96;      // over all directions, the same at all vertices
+// Ways over all directions, the same at all vertices of a mesh: the most, and fewer of many vertices.
+constexpr size_t kMostWays = 96, kFewestWays = 8, kWaysInAll = 8'000'000;
 constexpr double kOpaqueDepth = 7;  // hides all
 constexpr float kLeafPart = 0.25f;
 constexpr double kAround = 1.5;   // heights of the tallest tree, as far as others count
@@ -21,10 +22,11 @@ struct LeafyWay {
     glm::dvec3 stands, baked;  // unit: as the tree stands, and through what is baked
     double seen;               // how much of leaves is seen along it, against leaves in all directions
 };
-std::vector<LeafyWay> waysThrough(const TreeAir& air, double verticalScale) {
+std::vector<LeafyWay> waysThrough(const TreeAir& air, double verticalScale, size_t count) {
     std::vector<LeafyWay> out;
-    for (int k = 0; k < kLeafyWays; ++k) {
-        const double y = 1 - (2 * k + 1.0) / kLeafyWays, turn = k * 2.399963229728653, r = std::sqrt(1 - y * y);
+    for (size_t k = 0; k < count; ++k) {
+        const double i = static_cast<double>(k), y = 1 - (2 * i + 1) / static_cast<double>(count);
+        const double turn = i * 2.399963229728653, r = std::sqrt(1 - y * y);
         const glm::dvec3 way(r * std::cos(turn), y, r * std::sin(turn)), baked = bakedWay(way, verticalScale);
         out.push_back({way, baked, static_cast<double>(seenFrom(air.facing, static_cast<float>(baked.y)))});
     }
@@ -171,7 +173,8 @@ TreeAir leafAir(const Mesh& mesh) {
 std::vector<VertexShares> lightOnTree(const Mesh& mesh, const TreeAir& air, const WoodAir& wood, double verticalScale) {
     std::vector<VertexShares> out(mesh.vertices.size());
     if (air.side == 0) return out;
-    const std::vector<LeafyWay> ways = waysThrough(air, verticalScale);
+    const std::vector<LeafyWay> ways = waysThrough(
+        air, verticalScale, std::clamp(kWaysInAll / std::max(out.size(), size_t{1}), kFewestWays, kMostWays));
     const TreeShade shade = shadeOfSky(air, verticalScale);
     parallelFor(out.size(), [&](size_t i) {
         const MeshVertex& v = mesh.vertices[i];
@@ -185,7 +188,9 @@ std::vector<VertexShares> lightOnTree(const Mesh& mesh, const TreeAir& air, cons
             all[side] += std::abs(facing), alone[side] += std::abs(facing) * r.alone;
             among[side] += std::abs(facing) * r.among;
             // The best fit: over half a sphere x and z have a mean square of a third.
-            if (w.stands.y > 0) open += r.alone * glm::dvec3(1, 3 * w.stands.x, 3 * w.stands.z) / (0.5 * kLeafyWays);
+            if (w.stands.y > 0)
+                open +=
+                    r.alone * glm::dvec3(1, 3 * w.stands.x, 3 * w.stands.z) / (0.5 * static_cast<double>(ways.size()));
         }
         for (int k = 0; k < 3; ++k)
             out[i].open[k] = static_cast<int8_t>(std::lround(127 * std::clamp(open[k], -1.0, 1.0)));
