@@ -14,9 +14,9 @@ namespace {
 // Ways over all directions, the same at all vertices of a mesh: the most, and fewer of many vertices.
 constexpr size_t kMostWays = 96, kFewestWays = 8, kWaysInAll = 8'000'000;
 constexpr double kOpaqueDepth = 7;  // hides all
-constexpr float kLeafPart = 0.25f;
-constexpr double kAround = 1.5;   // heights of the tallest tree, as far as others count
-constexpr double kNearest = 0.5;  // metres, to which trees are taken to keep away
+constexpr float kLeafPart = 0.25f;  // share of a part's area that is leaves, from which on it is air
+constexpr double kAround = 1.5;     // heights of the tallest tree, as far as others count
+constexpr double kNearest = 0.5;    // metres, to which trees are taken to keep away
 
 struct LeafyWay {
     glm::dvec3 stands, baked;  // unit: as the tree stands, and through what is baked
@@ -55,8 +55,8 @@ double ownDepth(const TreeAir& air, const glm::dvec3& from, const LeafyWay& way,
 struct LeftAlong {
     double alone, among;
 };
-LeftAlong reachedAlong(const TreeAir& air, const TreeShade& shade, const WoodAir& wood, const glm::dvec3& from,
-                       const LeafyWay& way) {
+LeftAlong leftAlong(const TreeAir& air, const TreeShade& shade, const WoodAir& wood, const glm::dvec3& from,
+                    const LeafyWay& way) {
     glm::dvec3 at;
     const double own = ownDepth(air, from, way, at), rise = std::abs(way.baked.y);
     const bool up = way.baked.y >= 0;
@@ -74,13 +74,16 @@ double treesPerM2(const ForestTiles& tiles, double perHectare) {
     return tiles.asked > 0 ? perHectare / 10000 * tiles.placed / tiles.asked : 0;
 }
 
-// m² of leaves that are seen in the mean of all directions, in a layer of a tree's air.
-double leavesIn(const TreeAir& air, size_t layer) {
-    const size_t count = static_cast<size_t>(air.side) * static_cast<size_t>(air.side);
-    const double sum = std::accumulate(air.extinction.begin() + static_cast<ptrdiff_t>(layer * count),
-                                       air.extinction.begin() + static_cast<ptrdiff_t>((layer + 1) * count), 0.0);
-    return sum * air.part * air.part * air.part;
+// m² of leaves that are seen in the mean of all directions, in each layer of a tree's air.
+std::vector<double> leavesOfLayers(const TreeAir& air) {
+    std::vector<double> out(static_cast<size_t>(air.layers));
+    const ptrdiff_t count = static_cast<ptrdiff_t>(air.side) * air.side;
+    auto from = air.extinction.begin();
+    for (double& area : out)
+        area = std::accumulate(from, from + count, 0.0) * air.part * air.part * air.part, from += count;
+    return out;
 }
+
 // Trees by squares of the ground.
 struct TreeSquares {
     double side;
@@ -137,15 +140,17 @@ double WoodAir::between(double low, double high) const {
 WoodAir woodAir(const ForestTiles& tiles, double perHectare, std::span<const TreeAir> airs) {
     WoodAir out;
     std::vector<double> leaves(static_cast<size_t>(std::ceil(static_cast<double>(tiles.highest) / out.layer)) + 1);
+    std::vector<std::vector<double>> ofSpecies;
+    for (const TreeAir& air : airs) ofSpecies.push_back(leavesOfLayers(air));
     double trees = 0;
     const auto add = [&](const std::vector<TileTree>& list) {
         for (const TileTree& t : list) {
-            const TreeAir& air = airs[t.species];
-            const double size = static_cast<double>(t.size);
+            const std::vector<double>& own = ofSpecies[t.species];
+            const double size = static_cast<double>(t.size), part = airs[t.species].part * size;
             trees += 1;
-            for (size_t l = 0; l < static_cast<size_t>(air.layers); ++l) {
-                const auto at = static_cast<size_t>((static_cast<double>(l) + 0.5) * air.part * size / out.layer);
-                leaves[std::min(at, leaves.size() - 1)] += leavesIn(air, l) * size * size;
+            for (size_t l = 0; l < own.size(); ++l) {
+                const auto at = static_cast<size_t>((static_cast<double>(l) + 0.5) * part / out.layer);
+                leaves[std::min(at, leaves.size() - 1)] += own[l] * size * size;
             }
         }
     };
@@ -184,7 +189,7 @@ std::vector<VertexShares> lightOnTree(const Mesh& mesh, const TreeAir& air, cons
         for (const LeafyWay& w : ways) {
             const double facing = glm::dot(n, w.stands);
             const int side = (facing > 0 ? 0 : 2) + (w.stands.y > 0 ? 0 : 1);
-            const LeftAlong r = reachedAlong(air, shade, wood, from, w);
+            const LeftAlong r = leftAlong(air, shade, wood, from, w);
             all[side] += std::abs(facing), alone[side] += std::abs(facing) * r.alone;
             among[side] += std::abs(facing) * r.among;
             // The best fit: over half a sphere x and z have a mean square of a third.

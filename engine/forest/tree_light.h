@@ -1,7 +1,7 @@
-// What leaves leave of the light from all around at the vertices of a tree's mesh, of sky and ground apart and for both
-// sides of a surface: those of its own crown, by its air (shade_map.h), and in a closed wood those of the others, as
-// the mean of all that its tiles hold. Trunks and twigs hide nothing here but by their normals.
-// Pure. Does not: light of the sun, which shadow maps have; light from leaf to leaf (lightFromLeaves,
+// Light from all around that comes past leaves to the vertices of a tree's mesh, as shares of the sky's and of the
+// ground's on both sides of a surface. Counted are the leaves of its own crown, by its air (shade_map.h), and in a
+// closed wood those of the others, as the mean of all that its tiles hold. Trunks and twigs hide nothing here but by
+// their normals. Pure. Does not: light of the sun, which shadow maps have; light from leaf to leaf (lightFromLeaves,
 // numerics/forest.h). Cost: 4 us a vertex on two cores, a tenth of that of meshes of a million; 12 bytes a vertex.
 #pragma once
 #include <span>

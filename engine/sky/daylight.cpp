@@ -38,8 +38,8 @@ using SkySeen = std::function<glm::vec3(const glm::vec3& towards)>;
 
 // Irradiance of the sky on level ground, divided by pi, and what falls on upright leaves all around, of which the more
 // is hidden by others the lower it comes from (by the sine's root, as paths up from a lawn's leaves are spread: their
-// mean sine is 0.5): midpoint rule over 12 elevations and 24 azimuths.
-// And what falls on a wall that looks along `wall` (unit, level).
+// mean sine is 0.5), and on a wall that looks along `wall` (unit, level): midpoint rule over 12 elevations and 24
+// azimuths.
 struct SkyFalls {
     glm::vec3 onGround{0}, onLeaves{0}, onWall{0};
 };

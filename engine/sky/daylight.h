@@ -21,8 +21,7 @@ struct SkySums {
     unsigned airChanges = 0;  // of the tables that it was made from
     glm::vec3 level{0};
     glm::vec3 tilt{0};  // how much brighter it is towards the horizon: as skyTilted has it, a colour each
-    // The sky is taken to be even but for a glow around the sun: the latter's irradiance on what faces it, divided by
-    // pi.
+    // Irradiance, divided by pi, of the glow around the sun on what faces it; all else of the sky is taken to be even.
     glm::vec3 glow{0};
     glm::vec3 horizon[5]{};  // of horizonLight, numerics/light.h
     float horizonMiddle = 0, horizonScale = 0;

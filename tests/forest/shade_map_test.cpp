@@ -3,34 +3,31 @@
 
 #include <gtest/gtest.h>
 
+#include "air.h"
+
 namespace sward {
 namespace {
 
-// An even block of air 4 m wide and 10 m high.
-TreeAir block(float extinction) {
-    TreeAir a{8, 20, 0.5, 10, {}};
-    a.extinction.assign(8 * 8 * 20, extinction);
-    return a;
-}
+using test::evenAir;
 
 TEST(ShadeMap, FollowsBeersLawBelowATree) {
-    const TreeShade s = shadeTowards(block(0.2f), {0, 1, 0});
+    const TreeShade s = shadeTowards(evenAir(0.2f), {0, 1, 0});
     EXPECT_NEAR(s.at({0, 0}), 2, 0.05) << "10 m of 0.2";
     EXPECT_EQ(s.at({3, 0}), 0);
     const double c = std::sqrt(0.5);
-    const TreeShade low = shadeTowards(block(0.2f), {c, c, 0});
+    const TreeShade low = shadeTowards(evenAir(0.2f), {c, c, 0});
     EXPECT_NEAR(low.at({-5, 0}), 0.2 * 4 / c, 0.15) << "straight through the block's width";
     EXPECT_EQ(low.at({5, 0}), 0) << "on the sun's side";
 }
 
 TEST(ShadeMap, ALowSunThrowsNoEndlessShade) {
-    const TreeShade s = shadeTowards(block(0.2f), glm::normalize(glm::dvec3(1, 1e-9, 0)));
+    const TreeShade s = shadeTowards(evenAir(0.2f), glm::normalize(glm::dvec3(1, 1e-9, 0)));
     EXPECT_LT(s.size.x, 220);
     for (const float d : s.depth) EXPECT_TRUE(std::isfinite(d));
 }
 
 TEST(ShadeMap, TheSkyIsHiddenMostAtTheFoot) {
-    const TreeShade s = shadeOfSky(block(1));
+    const TreeShade s = shadeOfSky(evenAir(1));
     EXPECT_GT(s.at({0, 0}), s.at({4, 0}));
     EXPECT_GT(s.at({4, 0}), s.at({8, 0}));
     EXPECT_GT(s.at({4, 0}), 0.05f);
@@ -46,7 +43,7 @@ struct Wood {
     }
     ShadeMap map(const glm::dvec3& sun) const {
         ShadeSum sum(terrain, {0, 0, 0}, sun);
-        sum.add(forest, {block(0.2f)});
+        sum.add(forest, {evenAir(0.2f)});
         return sum.map();
     }
     static uint8_t at(const ShadeMap& m, double x, double z, size_t channel = 0) {

@@ -3,15 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include "air.h"
+
 namespace sward {
 namespace {
 
-// An even block of air 4 m wide and 10 m high, from the ground up.
-TreeAir evenBlock(float extinction) {
-    TreeAir a{8, 20, 0.5, 10, {}};
-    a.extinction.assign(8 * 8 * 20, extinction);
-    return a;
-}
+using test::evenAir;
+
 Mesh pointAt(const glm::vec3& place, const glm::vec3& normal) {
     Mesh m;
     m.vertices = {{place, normal, {}}};
@@ -19,7 +17,7 @@ Mesh pointAt(const glm::vec3& place, const glm::vec3& normal) {
 }
 VertexShares sharesAt(const glm::vec3& place, const glm::vec3& normal, float extinction, const WoodAir& wood = {},
                       double verticalScale = 1) {
-    return lightOnTree(pointAt(place, normal), evenBlock(extinction), wood, verticalScale)[0];
+    return lightOnTree(pointAt(place, normal), evenAir(extinction), wood, verticalScale)[0];
 }
 
 TEST(TreeLight, InEvenAirIsWhatBeersLawLeaves) {
@@ -67,7 +65,7 @@ ForestTiles tilesOf(size_t each) {
 }
 
 TEST(TreeLight, AWoodHoldsTheLeavesOfItsTrees) {
-    const std::vector<TreeAir> airs = {evenBlock(0.3f)};
+    const std::vector<TreeAir> airs = {evenAir(0.3f)};
     const WoodAir wood = woodAir(tilesOf(3), 400, airs);
     EXPECT_NEAR(wood.between(0, 20), 0.3 * 4 * 4 * 10 * 400 / 10000, 1e-6) << "m² of leaves on a m²";
     EXPECT_NEAR(wood.between(2, 7), 0.5 * wood.between(0, 20), 1e-6);
