@@ -12,6 +12,7 @@
 #include "project/project_files.h"
 #include "techniques.h"
 #include "tests/grass/bright_pixels.h"
+#include "tests/programs_once.h"
 
 namespace {
 using namespace sward;
@@ -21,7 +22,7 @@ constexpr const char* kProjects[] = {"football", "park",    "meadow",  "wheat", 
                                      "oasis",    "rockery", "prairie", "grove", "forest"};
 constexpr double kLongestSeconds = 30;
 constexpr double kBrightest = 4;     // times what the lights give
-constexpr uint64_t kOfOneLook = 50;  // views one after another of one project by one technique
+constexpr uint64_t kOfOneLook = 50;  // views one after another of one project by one technique at one time
 
 struct Range {
     uint64_t first = 1, last = 2000;
@@ -68,6 +69,12 @@ bool seesSun(const Project& p, const ViewCamera& c, double time, int width, int 
     return std::max(glm::dot(ahead, sun), glm::dot(ahead, sun * glm::dvec3(1, -1, 1))) > reach;
 }
 
+// When the views of a look are seen, in seconds from the project's own time; half of the looks at that time.
+double timeOf(uint64_t view) {
+    const double when = unit(view / kOfOneLook, 9);
+    return when < 0.5 ? 0 : 4e6 * (when - 0.5);
+}
+
 struct Found {
     uint64_t views = 0, tooLong = 0, pixels = 0, errors = 0;
     double slowest = 0;
@@ -78,7 +85,7 @@ void look(Renderer& r, const Project& p, uint64_t view, Found& found) {
     ViewSettings s;
     s.width = unit(view, 7) < 0.1 ? 1 + static_cast<int>(8 * unit(view, 8)) : 48, s.height = 36;
     s.msaa = kSamples[view % 3];
-    s.time = unit(view, 9) < 0.5 ? 0 : 4e6 * (unit(view, 9) - 0.5);
+    s.time = timeOf(view);
     const ViewCamera place = anyPlace(p, view);
     if (mayBeLong(p) && estimateFrame(p, tables(), place, s.width, s.height).seconds > kLongestSeconds) {
         ++found.tooLong;
@@ -100,13 +107,16 @@ void look(Renderer& r, const Project& p, uint64_t view, Found& found) {
 void measure() {
     const Range range = asked();
     const std::span<const TechniqueRow> techniques = tables().techniques;
+    if (!gpu()) return reportLimit("a context of OpenGL", 0, -1, "");
+    ProgramsOnce programs;  // a look's programs are the next one's for the most part
+    programs.makeCurrent();
     Found found;
     for (uint64_t view = range.first; view <= range.last;) {
         const uint64_t block = view / kOfOneLook, end = std::min((block + 1) * kOfOneLook - 1, range.last);
         const char* name = kProjects[block % std::size(kProjects)];
         const TechniqueRow& technique = techniques[block / std::size(kProjects) % techniques.size()];
         auto project = loadProject(std::string(SWARD_SOURCE_DIR "/projects/") + name, tables().components);
-        if (!project || !gpu()) return reportLimit("projects that open", 0, -1, "");
+        if (!project) return reportLimit("projects that open", 0, -1, "");
         setTechnique(*project, technique);
         Renderer r(*gpu(), tables());
         Found atFirst;  // programs and images of blades are made then, which is no frame's time
