@@ -276,7 +276,7 @@ void publishShade(DrawContext& ctx) {
     ctx.globals.treesShadeTo = static_cast<float>(std::max(to, from + 1e-3));
 }
 
-void place(DrawContext& ctx) {
+void placeCells(DrawContext& ctx) {
     TexcellsState& s = ctx.own<TexcellsState>();
     TexcellsView& view = ctx.ofView<TexcellsView>();
     view.inView.clear(), view.feet.clear(), view.slices.clear(), view.runs.clear();
@@ -320,7 +320,7 @@ void bind(DrawContext& ctx, TexcellsView& view, const Run& run) {
     glBindTextureUnit(TEX_FOREST_SLOTS, v.slots.id());
 }
 
-void draw(DrawContext& ctx) {
+void drawCells(DrawContext& ctx) {
     TexcellsView& view = ctx.ofView<TexcellsView>();
     // All are made before a second run asks for what closes pixels: programs follow from the scene alone.
     if (view.runs.empty() || !useVeil(ctx, kVeilPrograms) || !ctx.use()) return;
@@ -344,8 +344,9 @@ void draw(DrawContext& ctx) {
     endVeil(ctx, view.veil, kVeilPrograms);
 }
 
-const System kSystems[] = {
-    {"forest/texcells/place", {.reads = {Slot::Forests, Slot::Sun, Slot::Ground}, .writes = {Slot::Forests}}, place}};
+const System kSystems[] = {{"forest/texcells/place",
+                            {.reads = {Slot::Forests, Slot::Sun, Slot::Ground}, .writes = {Slot::Forests}},
+                            placeCells}};
 const ProgramRow kPrograms[] = {
     {"forest/texcells", "forest/texcells.vert.glsl", "forest/texcells.frag.glsl", nullptr},
     {"forest/texcells/behind", "post/fullscreen.vert.glsl", "forest/behind.frag.glsl", nullptr, depthVariants},
@@ -356,7 +357,7 @@ const Pass kPasses[] = {{"forest/texcells",
                          kViewMain | kViewReflection,
                          {.reads = {Slot::SceneDepth, Slot::Shadows}, .appends = {Slot::SceneColor}},
                          kPrograms,
-                         draw}};
+                         drawCells}};
 
 }  // namespace
 

@@ -15,7 +15,7 @@ namespace sward {
 namespace {
 
 constexpr const char* kOwner = "forest/trees";
-constexpr double kShadowsFrom = 300;  // metres to which trees cast shadows: beyond the reach of all maps
+constexpr double kTreeShadowsFrom = 300;  // metres to which trees cast shadows: beyond the reach of all maps
 
 // A species' mesh at one level, and what its leaves leave of the light from all around at its vertices.
 struct TreeLevel : GpuMesh {
@@ -40,7 +40,7 @@ struct TreePlace {
     glm::vec3 around;  // woodAround
 };
 // Instances of one mesh that are seen.
-struct Group {
+struct TreeGroup {
     const ForestHere* here;
     const TreeLevel* mesh;
     size_t species, first, seen;
@@ -49,7 +49,7 @@ struct TreesView : EffectState {
     Buffer instances, placesBuffer;
     std::vector<ObjectInstance> rows;
     std::vector<TreePlace> places;  // of each row
-    std::vector<Group> groups;
+    std::vector<TreeGroup> groups;
     TreeSway sway;
 };
 
@@ -164,7 +164,7 @@ uint64_t chooseCasters(DrawContext& ctx, TreesView& view, const ForestHere& here
     h.add(&u.grown, sizeof u.grown);
     for (const StandingTree& t : here.stand->trees) {
         const double distance = glm::distance(t.at, ctx.around);
-        if (distance >= kShadowsFrom || u.species[t.species][0].parts.empty() || !isMesh(here.rule, t, distance))
+        if (distance >= kTreeShadowsFrom || u.species[t.species][0].parts.empty() || !isMesh(here.rule, t, distance))
             continue;
         const GpuMesh& m = u.species[t.species][levelOf(here, t, distance)];
         addCaster(ctx, m, view.rows.size(), 1,
@@ -176,7 +176,7 @@ uint64_t chooseCasters(DrawContext& ctx, TreesView& view, const ForestHere& here
     return h.value();
 }
 
-void place(DrawContext& ctx) {
+void placeTrees(DrawContext& ctx) {
     TreesState& s = ctx.own<TreesState>();
     TreesView& view = ctx.ofView<TreesView>();
     view.rows.clear();
@@ -208,10 +208,10 @@ void place(DrawContext& ctx) {
             }
 }
 
-void draw(DrawContext& ctx) {
+void drawTrees(DrawContext& ctx) {
     const TreesState& s = ctx.own<TreesState>();
     if (!ctx.use()) return;
-    for (const Group& g : ctx.ofView<TreesView>().groups) {
+    for (const TreeGroup& g : ctx.ofView<TreesView>().groups) {
         if (g.seen == 0) continue;
         glBindBufferBase(GL_UNIFORM_BUFFER, UBO_FOREST, g.here->lightGlobals);
         glBindTextureUnit(TEX_FOREST_LIGHT, g.here->light);
@@ -224,14 +224,14 @@ void draw(DrawContext& ctx) {
     }
 }
 
-const System kSystems[] = {{"forest/trees/place", {.reads = {Slot::Forests}, .appends = {Slot::Casters}}, place}};
+const System kSystems[] = {{"forest/trees/place", {.reads = {Slot::Forests}, .appends = {Slot::Casters}}, placeTrees}};
 const ProgramRow kPrograms[] = {{"forest/trees", "forest/trees.vert.glsl", "forest/trees.frag.glsl", nullptr}};
 const Pass kPasses[] = {{"forest/trees",
                          Stage::Opaque,
                          kViewMain | kViewReflection,
                          {.reads = {Slot::Shadows}, .appends = {Slot::SceneColor, Slot::SceneDepth}},
                          kPrograms,
-                         draw,
+                         drawTrees,
                          {},
                          false,
                          true}};

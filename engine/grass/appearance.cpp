@@ -4,6 +4,7 @@
 #include <map>
 
 #include "core/hash.h"
+#include "core/luminance.h"
 #include "core/numerics.h"
 #include "scene/components.h"
 #include "world/view_camera.h"
@@ -136,7 +137,6 @@ Mean asBlades(const std::vector<Posed>& points, const glm::vec3& e, const FieldL
     });
     return m;
 }
-float luminance(const glm::vec3& c) { return glm::dot(c, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
 // Of lamps, as a polynomial of the sine of their elevations.
 glm::vec3 lampHotSpot(const TracedFactors& traced) {
     constexpr float kSines[] = {0.1f, 0.5f, 0.9f};

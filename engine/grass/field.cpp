@@ -130,7 +130,7 @@ void updateField(DrawContext& ctx, Field& field, const GrownField& grown, size_t
     writeGlobals(ctx, field);
 }
 
-void update(DrawContext& ctx) {
+void updateFields(DrawContext& ctx) {
     GrassFields& grass = ctx.ofView<GrassFields>();
     if (!ctx.shared.grown) return;
     const GrownFields& grown = *ctx.shared.grown;
@@ -148,7 +148,7 @@ const System kSystems[] = {
      {.reads = {Slot::Sun, Slot::Ground, Slot::Masks, Slot::Traced}, .writes = {Slot::Grown}},
      growFields,
      true},
-    {"grass/field", {.reads = {Slot::Sun, Slot::Ground, Slot::Grown}, .writes = {Slot::Grass}}, update}};
+    {"grass/field", {.reads = {Slot::Sun, Slot::Ground, Slot::Grown}, .writes = {Slot::Grass}}, updateFields}};
 
 }  // namespace
 

@@ -16,7 +16,7 @@ constexpr float kWidest = 1.7f;                  // how much larger those left a
 constexpr float kLeastPixels = 0.5f;             // across a head; smaller ones stand for each other
 constexpr int kLeastRows = 16;  // of the head in the smallest image: in a smaller one stems run into it
 
-struct Kind {
+struct DrawnKind {
     std::string textureOf = "?";
     FlowerImage image;
     Texture texture;
@@ -28,10 +28,10 @@ struct Kind {
     GLsizei drawn = 0;     // commands
 };
 struct FlowersState : EffectState {
-    std::map<std::string, Kind> kinds;  // by entity
+    std::map<std::string, DrawnKind> kinds;  // by entity
 };
 
-void updateTexture(DrawContext& ctx, Kind& k, const Flowers& f) {
+void updateTexture(DrawContext& ctx, DrawnKind& k, const Flowers& f) {
     if (k.textureOf == f.texture) return;
     k.textureOf = f.texture;
     k.image = flowerImage(ctx.project, f);
@@ -42,7 +42,7 @@ void updateTexture(DrawContext& ctx, Kind& k, const Flowers& f) {
 }
 
 // Corners 0 to 3 are the stem's, from the root up; 4 to 7 the head's.
-void makeMesh(DrawContext& ctx, Kind& k, uint32_t most) {
+void makeMesh(DrawContext& ctx, DrawnKind& k, uint32_t most) {
     if (k.most == most && k.mesh.id()) return;
     k.most = most;
     std::vector<uint32_t> indices;
@@ -65,7 +65,7 @@ void makeMesh(DrawContext& ctx, Kind& k, uint32_t most) {
 // Least size of a head that is drawn, in metres a metre of distance.
 float leastSize(const DrawContext& ctx) { return kLeastPixels / pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings)); }
 
-FlowerGlobals globalsOf(const DrawContext& ctx, const Flowers& f, const FlowerGrid& grid, const Kind& k) {
+FlowerGlobals globalsOf(const DrawContext& ctx, const Flowers& f, const FlowerGrid& grid, const DrawnKind& k) {
     FlowerGlobals g{};
     const float from = kThinFrom * f.maxDistance;
     g.petal = f.color, g.second = f.secondColor, g.center = f.centerColor, g.stem = f.stemColor;
@@ -139,7 +139,7 @@ struct CellSearch {
     }
 };
 
-void updateKind(DrawContext& ctx, const std::string& entity, const Flowers& f, Kind& k) {
+void updateKind(DrawContext& ctx, const std::string& entity, const Flowers& f, DrawnKind& k) {
     const FlowerGrid grid = flowerGrid(f);
     updateTexture(ctx, k, f);
     makeMesh(ctx, k, grid.most);
@@ -158,7 +158,7 @@ void updateKind(DrawContext& ctx, const std::string& entity, const Flowers& f, K
     glVertexArrayVertexBuffer(k.mesh.id(), 0, k.cells.id(), 0, sizeof(FlowerCell));
 }
 
-void update(DrawContext& ctx) {
+void selectFlowers(DrawContext& ctx) {
     FlowersState& s = ctx.own<FlowersState>();
     const auto all = flowersOf(ctx.project);
     std::erase_if(s.kinds, [&](const auto& k) {
@@ -184,7 +184,7 @@ bool beginAmong(DrawContext& ctx, const Field* field) {
     return true;
 }
 
-void draw(DrawContext& ctx) {
+void drawFlowers(DrawContext& ctx) {
     FlowersState& s = ctx.own<FlowersState>();
     std::optional<const Field*> begun;
     for (const auto& [entity, k] : s.kinds) {
@@ -203,7 +203,7 @@ void draw(DrawContext& ctx) {
     }
 }
 
-const System kSystems[] = {{"grass/flowers/cells", {.reads = {Slot::Ground}}, update}};
+const System kSystems[] = {{"grass/flowers/cells", {.reads = {Slot::Ground}}, selectFlowers}};
 const ProgramRow kPrograms[] = {{"grass/flowers", "grass/flowers.vert.glsl", "grass/flowers.frag.glsl", nullptr}};
 const Pass kPasses[] = {{"grass/flowers",
                          Stage::Flowers,
@@ -211,7 +211,7 @@ const Pass kPasses[] = {{"grass/flowers",
                          {.reads = {Slot::Grass, Slot::Forces, Slot::Shadows, Slot::ObjectLight},
                           .appends = {Slot::SceneColor, Slot::SceneDepth}},
                          kPrograms,
-                         draw,
+                         drawFlowers,
                          featureSet(Feature::GrassBlended),
                          false,
                          true}};

@@ -9,16 +9,16 @@ namespace {
 constexpr const char* kOwner = "grass/force-outlines";
 
 // The outline's distances as a texture, while a force has it.
-struct Drawn {
+struct OutlinesDrawn {
     std::shared_ptr<const Footprint> outline;
     Texture distances;
 };
 struct OutlinesState : EffectState {
-    std::map<const Footprint*, Drawn> outlines;
+    std::map<const Footprint*, OutlinesDrawn> outlines;
     VertexArray square;
 };
 
-std::unique_ptr<EffectState> makeState(DrawContext&) {
+std::unique_ptr<EffectState> makeOutlinesState(DrawContext&) {
     auto s = std::make_unique<OutlinesState>();
     s->square = makeVertexArray(kOwner);
     return s;
@@ -30,14 +30,14 @@ Texture upload(DrawContext& ctx, const Footprint& f) {
     return t;
 }
 
-void update(DrawContext& ctx) {
+void uploadOutlines(DrawContext& ctx) {
     OutlinesState& s = ctx.own<OutlinesState>();
-    std::map<const Footprint*, Drawn> kept;
+    std::map<const Footprint*, OutlinesDrawn> kept;
     for (const Force& f : ctx.shared.forceTarget.forces) {
         if (!f.outline || kept.contains(f.outline.get())) continue;
         const auto known = s.outlines.find(f.outline.get());
         kept[f.outline.get()] =
-            known != s.outlines.end() ? std::move(known->second) : Drawn{f.outline, upload(ctx, *f.outline)};
+            known != s.outlines.end() ? std::move(known->second) : OutlinesDrawn{f.outline, upload(ctx, *f.outline)};
     }
     s.outlines = std::move(kept);
 }
@@ -61,7 +61,7 @@ void drawOne(DrawContext& ctx, const Force& f) {
     ctx.pass->instances += 1;
 }
 
-void draw(DrawContext& ctx) {
+void drawOutlines(DrawContext& ctx) {
     const ForceTarget& target = ctx.shared.forceTarget;
     if (!ctx.use()) return;
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
@@ -76,7 +76,7 @@ void draw(DrawContext& ctx) {
     glDisable(GL_BLEND);
 }
 
-const System kSystems[] = {{"grass/force-outlines/upload", {.reads = {Slot::ForceList}}, update, true}};
+const System kSystems[] = {{"grass/force-outlines/upload", {.reads = {Slot::ForceList}}, uploadOutlines, true}};
 const ProgramRow kPrograms[] = {
     {"grass/force-outlines", "grass/force_outlines.vert.glsl", "grass/force_outlines.frag.glsl", nullptr}};
 const Pass kPasses[] = {{"grass/force-outlines",
@@ -84,7 +84,7 @@ const Pass kPasses[] = {{"grass/force-outlines",
                          kViewMain | kViewReflection,
                          {.reads = {Slot::ForceList}, .appends = {Slot::Forces}},
                          kPrograms,
-                         draw}};
+                         drawOutlines}};
 
 }  // namespace
 
@@ -93,7 +93,7 @@ const EffectRow& forceOutlinesEffect() {
                                featureSet(Feature::ForceOutlines, Feature::Forces, Feature::Grass, Feature::Terrain),
                                kSystems,
                                kPasses,
-                               makeState,
+                               makeOutlinesState,
                                "an object presses on the grass in the shape of its outline"};
     return row;
 }

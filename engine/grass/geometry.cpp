@@ -16,7 +16,7 @@ namespace {
 constexpr const char* kOwner = "grass/geometry";
 
 // Blades of a species as the GPU holds them.
-struct Mesh {
+struct BladeMesh {
     uint64_t key = 0;  // of the patch that it was made from
     int segments = 0;
     size_t strips = 0;  // blades that the indices hold, and whether they are a cell's own: as drawCommand takes them
@@ -24,11 +24,11 @@ struct Mesh {
     Buffer blades, indices;
 };
 struct GeometryState : EffectState {
-    PerSpecies<Mesh> meshes;
+    PerSpecies<BladeMesh> meshes;
 };
 // Those of them that a view draws.
-struct Selection {
-    Mesh* mesh = nullptr;
+struct BladeSelection {
+    BladeMesh* mesh = nullptr;
     Buffer cells, commands;
     Buffer listed;     // indices of the blades that can be seen, where the driver shades vertices on the CPU; else none
     GLsizei seen = 0;  // commands
@@ -38,7 +38,7 @@ struct Selection {
     float shadowShare = 0;  // of the blades, that shade the soil
 };
 struct GeometryView : EffectState {
-    PerSpecies<Selection> species;
+    PerSpecies<BladeSelection> species;
 };
 
 // For each n up to `segments`, all blades' strips of n quads in threshold order, over the first of the same
@@ -51,7 +51,7 @@ std::vector<uint32_t> stripIndices(size_t blades, int segments) {
     return out;
 }
 
-void updateMesh(DrawContext& ctx, Mesh& m, const GrownSpecies& species, int segments) {
+void updateMesh(DrawContext& ctx, BladeMesh& m, const GrownSpecies& species, int segments) {
     if (m.key == species.drawnKey() && m.segments == segments && m.blades.id()) return;
     m.key = species.drawnKey();
     m.segments = segments;
@@ -63,7 +63,7 @@ void updateMesh(DrawContext& ctx, Mesh& m, const GrownSpecies& species, int segm
     m.indices = makeBuffer(ctx.gpu, kOwner, indices.size() * 4, indices.data());
 }
 
-void updateMeshes(DrawContext& ctx) {
+void updateBladeMeshes(DrawContext& ctx) {
     GeometryState& state = ctx.own<GeometryState>();
     if (!ctx.shared.grown) return;
     state.meshes.keep(ctx.shared.grown->all, Feature::GrassGeometry);
@@ -72,7 +72,7 @@ void updateMeshes(DrawContext& ctx) {
     });
 }
 
-void uploadCommands(DrawContext& ctx, Selection& s, const std::vector<DrawCommand>& commands, uint64_t blades) {
+void uploadCommands(DrawContext& ctx, BladeSelection& s, const std::vector<DrawCommand>& commands, uint64_t blades) {
     writeBuffer(ctx.gpu, s.commands, kOwner, commands.size() * sizeof(DrawCommand), commands.data());
     s.seen = static_cast<GLsizei>(commands.size());
     ctx.stats.cells += commands.size();
@@ -80,7 +80,7 @@ void uploadCommands(DrawContext& ctx, Selection& s, const std::vector<DrawComman
 }
 
 // One command a cell, over a range of the patch's blades.
-void commandRanges(DrawContext& ctx, Selection& s) {
+void commandRanges(DrawContext& ctx, BladeSelection& s) {
     std::vector<DrawCommand> commands;
     commands.reserve(s.selected.size());
     uint64_t blades = 0;
@@ -96,7 +96,7 @@ void commandRanges(DrawContext& ctx, Selection& s) {
 }
 
 // One command a cell, over those of its blades that can be seen.
-void commandLists(DrawContext& ctx, Selection& s, const CellQuery& query, Transparency way) {
+void commandLists(DrawContext& ctx, BladeSelection& s, const CellQuery& query, Transparency way) {
     const PixelCoverage shown{way, ctx.targets.samples, ctx.globals.chanceShift};
     const BladeList list = listBlades({query, query.reach, shown, ctx.settings.detail}, s.selected);
     if (list.tooMany) return commandRanges(ctx, s);
@@ -113,7 +113,7 @@ float shadingShare(const Look& look, float sinElevation) {
 bool gpuChooses(Culling who, const Gpu& gpu) { return who == Culling::Gpu || (who == Culling::Auto && !gpu.software); }
 
 // Cells that the CPU chooses, as instances and commands.
-void selectHere(DrawContext& ctx, Selection& s, const CellQuery& query, Transparency way) {
+void selectHere(DrawContext& ctx, BladeSelection& s, const CellQuery& query, Transparency way) {
     s.chosen = {};
     s.selected = selectCells(query);
     std::vector<CellInstance> instances;
@@ -129,7 +129,7 @@ void selectHere(DrawContext& ctx, Selection& s, const CellQuery& query, Transpar
 
 // Room for what the GPU chooses: as many instances and commands as there are cells in the nodes, and as many commands
 // of shadows.
-void selectThere(DrawContext& ctx, Selection& s, const CellQuery& query) {
+void selectThere(DrawContext& ctx, BladeSelection& s, const CellQuery& query) {
     s.selected.clear();
     s.listed = {};
     chooseCells(ctx, s.chosen,
@@ -140,8 +140,8 @@ void selectThere(DrawContext& ctx, Selection& s, const CellQuery& query) {
     s.seen = static_cast<GLsizei>(s.chosen.count);
 }
 
-void publish(const DrawContext& ctx, const Selection& s, FieldSpecies& own) {
-    const Mesh& m = *s.mesh;
+void publish(const DrawContext& ctx, const BladeSelection& s, FieldSpecies& own) {
+    const BladeMesh& m = *s.mesh;
     BladeDraws& d = own.draws;
     d = {s.vertices.id(), m.indices.id(), m.blades.id(), own.grown->globals.id(), s.selected.data(), s.selected.size()};
     d.strips = static_cast<uint32_t>(m.strips);
@@ -155,7 +155,7 @@ void publish(const DrawContext& ctx, const Selection& s, FieldSpecies& own) {
     d.shadowOffset = s.chosen.count * sizeof(DrawCommand);
 }
 
-void cullSpecies(DrawContext& ctx, Field& field, size_t i, Selection& s) {
+void cullSpecies(DrawContext& ctx, Field& field, size_t i, BladeSelection& s) {
     FieldSpecies& own = field.species[i];
     const auto& drawing = field.view->settings<GrassDrawing>();
     const bool shades = field.draws(Feature::GroundShadows);
@@ -187,7 +187,7 @@ void cull(DrawContext& ctx) {
 
 enum CellProgram { kChoose, kCommand };
 
-void commandCells(const DrawContext& ctx, const Selection& s) {
+void commandCells(const DrawContext& ctx, const BladeSelection& s) {
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_CELLS, s.cells.id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_COMMANDS, s.commands.id());
     glUniform1ui(0, s.chosen.count);
@@ -202,7 +202,7 @@ void commandCells(const DrawContext& ctx, const Selection& s) {
 void chooseThere(DrawContext& ctx) {
     GeometryView& view = ctx.ofView<GeometryView>();
     eachSpecies(ctx, Feature::GrassGeometry, [&](const Field& field, size_t i) {
-        Selection& s = view.species.at(field.number, i);
+        BladeSelection& s = view.species.at(field.number, i);
         const std::string* features = &field.view->constants;
         if (!s.chosen.byGpu || s.chosen.count == 0 || !ctx.use(kChoose, {}, features)) return;
         bindField(field);
@@ -213,8 +213,8 @@ void chooseThere(DrawContext& ctx) {
     glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }
 
-void drawSpecies(DrawContext& ctx, const GrownSpecies& shared, const Selection& s) {
-    const Mesh& mesh = *s.mesh;
+void drawSpecies(DrawContext& ctx, const GrownSpecies& shared, const BladeSelection& s) {
+    const BladeMesh& mesh = *s.mesh;
     if (s.seen == 0) return;
     glBindTextureUnit(TEX_BLADE, shared.bladeTexture.id());
     if (shared.shade.texture) glBindTextureUnit(TEX_MASK, shared.shade.texture);
@@ -229,7 +229,7 @@ void drawSpecies(DrawContext& ctx, const GrownSpecies& shared, const Selection& 
     ctx.pass->instances += static_cast<uint64_t>(s.seen);
 }
 
-void draw(DrawContext& ctx) {
+void drawBlades(DrawContext& ctx) {
     GeometryView& view = ctx.ofView<GeometryView>();
     const Field* begun = nullptr;
     eachSpecies(ctx, Feature::GrassGeometry, [&](const Field& field, size_t i) {
@@ -241,20 +241,20 @@ void draw(DrawContext& ctx) {
 }
 
 const System kSystems[] = {
-    {"grass/geometry/meshes", {.reads = {Slot::Grown}, .appends = {Slot::Meshes}}, updateMeshes, true},
+    {"grass/geometry/meshes", {.reads = {Slot::Grown}, .appends = {Slot::Meshes}}, updateBladeMeshes, true},
     {"grass/cull",
      {.reads = {Slot::Grass, Slot::Meshes, Slot::Ground, Slot::Sun, Slot::Lamps}, .writes = {Slot::Blades}},
      cull}};
 const ProgramRow kPrograms[] = {
     {"grass/geometry", "grass/geometry.vert.glsl", "grass/blade.frag.glsl", nullptr, fieldVariants}};
-const ProgramRow kCellPrograms[] = {{"grass/geometry/choice", nullptr, nullptr, "grass/cells.comp.glsl"},
-                                    {"grass/geometry/commands", nullptr, nullptr, "grass/cell_commands.comp.glsl"}};
+const ProgramRow kChoicePrograms[] = {{"grass/geometry/choice", nullptr, nullptr, "grass/cells.comp.glsl"},
+                                      {"grass/geometry/commands", nullptr, nullptr, "grass/cell_commands.comp.glsl"}};
 const Pass kPasses[] = {
     {"grass/geometry/cells",
      Stage::Simulate,
      kViewMain | kViewReflection,
      {.reads = {Slot::Grass}, .appends = {Slot::BladeCells}},
-     kCellPrograms,
+     kChoicePrograms,
      chooseThere},
     {"grass/geometry",
      Stage::Blades,
@@ -262,7 +262,7 @@ const Pass kPasses[] = {
      {.reads = {Slot::Grass, Slot::Masks, Slot::BladeCells, Slot::Forces, Slot::Shadows, Slot::ObjectLight},
       .appends = {Slot::SceneColor, Slot::SceneDepth}},
      kPrograms,
-     draw,
+     drawBlades,
      featureSet(Feature::GrassBlended),
      false,
      true}};

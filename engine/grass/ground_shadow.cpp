@@ -10,14 +10,14 @@ namespace {
 constexpr const char* kOwner = "grass/ground-shadow";
 constexpr float kLongest = 4;     // as in the shader
 constexpr float kTallest = 1.5f;  // blades, as a share of the mean
-constexpr int kLights = 7;        // that have a bit of the stencil; the eighth says where the ground is seen
+constexpr int kShadowLights = 7;  // that have a bit of the stencil; the eighth says where the ground is seen
 
 struct One {
     Buffer commands;
     Buffer listed;  // indices, where the driver shades vertices on the CPU; else those of the blades' own mesh
     GLsizei count = 0;
 };
-struct ShadowView : EffectState {
+struct GroundShadowView : EffectState {
     PerSpecies<One> species;
 };
 
@@ -60,8 +60,8 @@ void makeCommands(DrawContext& ctx, One& one, const Field& field, size_t i) {
         one.commands = {};
 }
 
-void prepare(DrawContext& ctx) {
-    ShadowView& view = ctx.ofView<ShadowView>();
+void prepareGroundShadows(DrawContext& ctx) {
+    GroundShadowView& view = ctx.ofView<GroundShadowView>();
     if (!ctx.shared.grass) return;
     view.species.keep(ctx.shared.grass->all, Feature::GroundShadows);
     eachSpecies(ctx, Feature::GroundShadows,
@@ -83,7 +83,7 @@ void drawSpecies(DrawContext& ctx, const FieldSpecies& species, const One& one) 
 }
 
 // The first blade of any field that shades a pixel is the only one that shades it, by each light.
-void drawLight(DrawContext& ctx, ShadowView& view, int light) {
+void drawLight(DrawContext& ctx, GroundShadowView& view, int light) {
     glStencilMask(1u << light);
     glStencilFunc(GL_EQUAL, kStencilGround, kStencilGround | 1u << light);
     const Field* begun = nullptr;
@@ -100,14 +100,14 @@ void drawLight(DrawContext& ctx, ShadowView& view, int light) {
     });
 }
 
-void draw(DrawContext& ctx) {
-    ShadowView& view = ctx.ofView<ShadowView>();
+void drawGroundShadows(DrawContext& ctx) {
+    GroundShadowView& view = ctx.ofView<GroundShadowView>();
     if (ctx.settings.mode != ViewMode::Final) return;
     glEnable(GL_STENCIL_TEST);
     glStencilOp(GL_KEEP, GL_KEEP, GL_INVERT);
     beginDimming();
     const bool sun = has(ctx.plan.features, Feature::Sun) && ctx.globals.sunIsUp > 0 && ctx.globals.sunCasts > 0;
-    const int lamps = std::min(ctx.shared.lights.casting, kLights - 1);
+    const int lamps = std::min(ctx.shared.lights.casting, kShadowLights - 1);
     for (int light = sun ? 0 : 1; light <= lamps; ++light) drawLight(ctx, view, light);
     endDimming();
     glStencilMask(0xff);
@@ -116,7 +116,7 @@ void draw(DrawContext& ctx) {
 
 const System kSystems[] = {{"grass/ground-shadow/cells",
                             {.reads = {Slot::Grass, Slot::Ground, Slot::Sun, Slot::Lamps, Slot::Blades}},
-                            prepare}};
+                            prepareGroundShadows}};
 const ProgramRow kPrograms[] = {
     {"grass/ground-shadow", "grass/ground_shadow.vert.glsl", "grass/ground_shadow.frag.glsl", nullptr}};
 const Pass kPasses[] = {{.name = "grass/ground-shadow",
@@ -126,7 +126,7 @@ const Pass kPasses[] = {{.name = "grass/ground-shadow",
                                             Slot::ObjectLight, Slot::Lamps},
                                   .appends = {Slot::SceneColor}},
                          .programs = kPrograms,
-                         .draw = draw,
+                         .draw = drawGroundShadows,
                          .stencil = true}};
 
 }  // namespace
@@ -147,7 +147,7 @@ const EffectRow& groundShadowEffect() {
         kPasses,
         nullptr,
         "near blades shade the ground",
-        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<ShadowView>(); }};
+        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<GroundShadowView>(); }};
     return row;
 }
 

@@ -12,10 +12,10 @@ namespace sward {
 namespace {
 
 constexpr const char* kOwner = "grass/mask";
-constexpr int kFine = 2;             // rasterised finer by this, each way
-constexpr int kSteps = 12;           // pieces of a blade's curve
+constexpr int kFineMask = 2;         // rasterised finer by this, each way
+constexpr int kMaskSteps = 12;       // pieces of a blade's curve
 constexpr double kMostBlades = 2e4;  // in a section: more than that hide everything
-constexpr int kTries = 6;            // sections, of which the one that lets through most nearly their mean is taken
+constexpr int kMaskTries = 6;        // sections, of which the one that lets through most nearly their mean is taken
 constexpr float kDepths = 24;        // optical depths of full density that a section is thick, at most
 
 float spacingOf(const Species& s) { return 1 / std::sqrt(std::max(s.bladesPerM2, 1e-3f)); }
@@ -79,8 +79,8 @@ struct Section {
     void blade(const Blade& b, float threshold, float across, float off) {
         const float seenWidth = 0.5f * b.width * std::abs(b.facing.y) * metre.x;
         glm::vec3 before(0);
-        for (int i = 1; i <= kSteps; ++i) {
-            const glm::vec3 now = f32::bladePosition(b.control, b.tip, static_cast<float>(i) / kSteps);
+        for (int i = 1; i <= kMaskSteps; ++i) {
+            const glm::vec3 now = f32::bladePosition(b.control, b.tip, static_cast<float>(i) / kMaskSteps);
             const auto place = [&](const glm::vec3& p) {
                 return glm::vec2(across + p.x, p.y - slope * (off + p.z)) * metre;
             };
@@ -93,13 +93,13 @@ struct Section {
 
 // All blades whose roots lie in a piece of the field that repeats the patch, each with its threshold there; and those
 // before it, as far as they may lean. Roots are stratified: about a blade's own, where the piece begins, is a gap.
-struct Piece {
+struct MaskPiece {
     float length, thickness;  // metres
     float lean;               // how far blades may lean into it, metres
     float gap;                // without roots, to either side of its beginning, metres
     glm::vec2 from;           // its corner in the field
 };
-void drawSection(Section& s, const Patch& patch, float cellSize, const Piece& piece) {
+void drawSection(Section& s, const Patch& patch, float cellSize, const MaskPiece& piece) {
     const auto cells = [&](float metres) { return static_cast<int>(std::floor(metres / cellSize)); };
     for (int row = cells(piece.from.y - piece.lean); row <= cells(piece.from.y + piece.thickness); ++row)
         for (int column = cells(piece.from.x); column <= cells(piece.from.x + piece.length); ++column) {
@@ -117,10 +117,10 @@ void drawSection(Section& s, const Patch& patch, float cellSize, const Piece& pi
 // Share of a texel's places that are free at a density.
 uint8_t freeShare(const Section& s, int x, int y, float density) {
     int open = 0;
-    for (int j = 0; j < kFine; ++j)
-        for (int i = 0; i < kFine; ++i)
-            open += s.lowest[static_cast<size_t>((y * kFine + j) * s.width + x * kFine + i)] > density;
-    return static_cast<uint8_t>((open * 255 + kFine * kFine / 2) / (kFine * kFine));
+    for (int j = 0; j < kFineMask; ++j)
+        for (int i = 0; i < kFineMask; ++i)
+            open += s.lowest[static_cast<size_t>((y * kFineMask + j) * s.width + x * kFineMask + i)] > density;
+    return static_cast<uint8_t>((open * 255 + kFineMask * kFineMask / 2) / (kFineMask * kFineMask));
 }
 
 }  // namespace
@@ -179,7 +179,7 @@ void updateMask(DrawContext& ctx, MaskState::One& one, const Species& species, c
     one.shade.texture = one.texture.id();
 }
 
-void update(DrawContext& ctx) {
+void updateMasks(DrawContext& ctx) {
     MaskState& state = ctx.own<MaskState>();
     std::map<std::string, std::vector<MaskState::One>> now;
     for (const auto& [name, field] : fieldsOf(ctx.project)) {
@@ -192,7 +192,7 @@ void update(DrawContext& ctx) {
     ctx.shared.masks = &state;
 }
 
-const System kSystems[] = {{"grass/mask", {.writes = {Slot::Masks}}, update, true}};
+const System kSystems[] = {{"grass/mask", {.writes = {Slot::Masks}}, updateMasks, true}};
 
 // Draws all layers; from: the corner of what they show, in metres of the field.
 void drawLayers(BladeMask& m, const Species& species, const Patch& patch, float cellSize,
@@ -203,8 +203,8 @@ void drawLayers(BladeMask& m, const Species& species, const Patch& patch, float 
                  most = std::min(kMostBlades / double(girth), double(kDepths / wide)) / blades;
     for (int layer = 0; layer < kMaskLayers; ++layer) {
         const float slope = f32::maskSlope((static_cast<float>(layer) + 0.5f) / kMaskLayers);
-        Section s(m.width * kFine, m.height * kFine,
-                  glm::vec2(m.width, m.height) * float(kFine) / glm::vec2(girth, m.top), slope, alpha);
+        Section s(m.width * kFineMask, m.height * kFineMask,
+                  glm::vec2(m.width, m.height) * float(kFineMask) / glm::vec2(girth, m.top), slope, alpha);
         const auto thickness = static_cast<float>(std::min(double(m.top / slope), most));
         drawSection(s, patch, cellSize,
                     {girth, thickness, std::min(m.top, 4 * cellSize), 0.5f * spacingOf(species), from});
@@ -240,15 +240,15 @@ BladeMask mostNearlyMean(std::vector<BladeMask>& tries) {
 
 BladeMask makeBladeMask(const Species& species, const Patch& patch, float cellSize, int width, const Rgba8& image) {
     BladeMask m;
-    const std::vector<float> alpha = alphaAlong(image, kSteps);
+    const std::vector<float> alpha = alphaAlong(image, kMaskSteps);
     const float wide = meanWidth(patch, alpha);
     m.reach = std::max({0.5f * meanTip(patch), 1.5f * spacingOf(species), 1e-3f});
     m.top = std::max(1.05f * highestTip(patch), 1e-3f);
     m.width = std::max(width, 4);
     m.height = std::max(m.width, 4);
     m.radius = std::clamp(0.5f * static_cast<float>(m.width) * wide / 6.2831853f, 1e-3f, m.reach);
-    std::vector<BladeMask> tries(kTries, m);
-    for (int i = 0; i < kTries; ++i)
+    std::vector<BladeMask> tries(kMaskTries, m);
+    for (int i = 0; i < kMaskTries; ++i)
         drawLayers(tries[static_cast<size_t>(i)], species, patch, cellSize, alpha,
                    glm::vec2(0.381966f, 0.618034f) * float(i));
     return mostNearlyMean(tries);

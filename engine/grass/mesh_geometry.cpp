@@ -21,7 +21,7 @@ constexpr const char* kOwner = "grass/mesh-geometry";
 constexpr size_t kPiece = 256;  // blades that are drawn or left out together
 
 // Blades that stand side by side on a mesh; lengths are the mesh's.
-struct Piece {
+struct MeshPiece {
     size_t first = 0, count = 0;                    // of the roots
     glm::vec3 low{1e30f}, high{-1e30f}, normal{0};  // of the roots
     float bend = 0;                                 // the most of them, away from the eye
@@ -32,7 +32,7 @@ struct Piece {
 // One species on a mesh.
 struct PlantedKind {
     Buffer roots;
-    std::vector<Piece> pieces;
+    std::vector<MeshPiece> pieces;
 };
 // What a mesh's blades are planted by, but for the map of their density.
 struct PlantedBy {
@@ -102,10 +102,10 @@ struct Rooted {
     bool edged;
 };
 // Neighbours are planted one after another. Within a piece in the order of the chances by which distance thins them.
-Piece pieceOf(std::span<Rooted> blades, size_t first) {
+MeshPiece pieceOf(std::span<Rooted> blades, size_t first) {
     std::stable_sort(blades.begin(), blades.end(),
                      [](const Rooted& a, const Rooted& b) { return a.chance < b.chance; });
-    Piece p{first, blades.size()};
+    MeshPiece p{first, blades.size()};
     for (const Rooted& r : blades) {
         p.low = glm::min(p.low, r.root.position), p.high = glm::max(p.high, r.root.position);
         p.normal += r.normal, p.bend = std::max(p.bend, r.bend);
@@ -191,7 +191,7 @@ void updatePatch(DrawContext& ctx, PatchMesh& m, const GrownSpecies& species, in
 // --- what a view draws ---------------------------------------------------------------------------------------------
 // Whether blades of a piece may be seen past the surface on which they stand: one that looks away from the eye shows
 // them only where it bends so that they look over it, or ends.
-bool looksHere(const Piece& p, const MeshPlace& place, const glm::vec3& centre, float radius, float height) {
+bool looksHere(const MeshPiece& p, const MeshPlace& place, const glm::vec3& centre, float radius, float height) {
     const float distance = glm::length(centre);
     if (p.edged || distance <= radius) return true;
     const float away = std::acos(std::clamp(glm::dot(place.turned(p.normal), -centre / distance), -1.0f, 1.0f)),
@@ -200,7 +200,7 @@ bool looksHere(const Piece& p, const MeshPlace& place, const glm::vec3& centre, 
 }
 
 // As many of a piece's blades as some are wide enough for (numerics/shadow.h), at this distance.
-uint32_t shownOf(const Piece& p, float width, float pixel) {
+uint32_t shownOf(const MeshPiece& p, float width, float pixel) {
     const float most = 1 / f32::shadowsOfOne(width, pixel);
     return static_cast<uint32_t>(std::upper_bound(p.chances.begin(), p.chances.end(), most) - p.chances.begin());
 }
@@ -213,7 +213,7 @@ void choosePieces(const DrawContext& ctx, KindDraw& d) {
     for (const Blade& b : patch.blades) widest = std::max(widest, b.width);
     const float pixels = pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings)), sagitta = bladeSagitta(patch),
                 reach = bladeReach(field.grows().species[d.species], patch), to = field.view->tiers.blades.max;
-    for (const Piece& p : d.planted->pieces) {
+    for (const MeshPiece& p : d.planted->pieces) {
         const glm::vec3 centre = d.place((p.low + p.high) * 0.5f);
         const float radius = 0.5f * glm::length(p.high - p.low) * d.place.scale + reach,
                     nearest = std::max(glm::length(centre) - radius, 0.0f);
@@ -256,7 +256,7 @@ void uploadCommands(DrawContext& ctx, MeshGeometryView& view) {
         writeBuffer(ctx.gpu, view.commands, kOwner, all.size() * sizeof(DrawCommand), all.data());
 }
 
-void select(DrawContext& ctx) {
+void selectMeshGeometry(DrawContext& ctx) {
     PlantedMeshes& state = ctx.own<PlantedMeshes>();
     MeshGeometryView& view = ctx.ofView<MeshGeometryView>();
     view.draws.clear();
@@ -300,7 +300,7 @@ bool begin(DrawContext& ctx, const MeshGeometryView& view, const KindDraw& d) {
     return true;
 }
 
-void draw(DrawContext& ctx) {
+void drawMeshGeometry(DrawContext& ctx) {
     MeshGeometryView& view = ctx.ofView<MeshGeometryView>();
     if (!view.vertices.id()) view.vertices = makeVertexArray(kOwner);
     size_t offset = 0;
@@ -322,7 +322,7 @@ void draw(DrawContext& ctx) {
 
 const System kSystems[] = {{"grass/mesh-geometry/select",
                             {.reads = {Slot::Grown, Slot::Grass, Slot::Ground, Slot::Masks, Slot::ObjectLight}},
-                            select}};
+                            selectMeshGeometry}};
 const ProgramRow kPrograms[] = {
     {"grass/mesh-geometry", "grass/mesh_geometry.vert.glsl", "grass/blade.frag.glsl", nullptr, fieldVariants}};
 // After the rays (Stage::Slices), which take what stands in the depth for the surface.
@@ -332,7 +332,7 @@ const Pass kPasses[] = {{"grass/mesh-geometry",
                          {.reads = {Slot::Grass, Slot::Masks, Slot::Shadows, Slot::Lamps, Slot::ObjectLight},
                           .appends = {Slot::SceneColor, Slot::SceneDepth}},
                          kPrograms,
-                         draw,
+                         drawMeshGeometry,
                          featureSet(Feature::GrassBlended),
                          false,
                          true}};

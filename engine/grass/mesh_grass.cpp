@@ -183,7 +183,7 @@ void castShadows(DrawContext& ctx, CarrierState& state, ShellView& view) {
         castMeshShadow(ctx, *casting[i].first, casting[i].second, view.casters, i);
 }
 
-void select(DrawContext& ctx) {
+void selectShells(DrawContext& ctx) {
     CarrierState& state = ctx.own<CarrierState>();
     ShellView& view = ctx.ofView<ShellView>();
     view.shells.clear();
@@ -246,7 +246,7 @@ std::string rayConstants(bool whole, RayRest rest) {
     return fmt::format("const bool WHOLE = {};\nconst int REST = {};\n", whole, static_cast<int>(rest));
 }
 
-enum Program { kOver, kInside, kEnds };
+enum ShellProgram { kShellsOver, kShellsInside, kShellEnds };
 
 bool begin(DrawContext& ctx, const ShellView& view, const Shell& shell, bool inside) {
     const auto& rays = shell.field->view->settings<RaytracedGrass>();
@@ -254,7 +254,8 @@ bool begin(DrawContext& ctx, const ShellView& view, const Shell& shell, bool ins
     const bool whole = !shell.maps.density && !shell.blades && isSownWhole(*shell.field);
     const std::string constants =
         fieldConstants(shell.field->view->of) + rayConstants(whole, rays.rest) + depthConstants(ctx.targets);
-    if (!ctx.use(inside ? kInside : kOver, insideConstant(inside) + constants, &shell.maps.features)) return false;
+    if (!ctx.use(inside ? kShellsInside : kShellsOver, insideConstant(inside) + constants, &shell.maps.features))
+        return false;
     bindField(*shell.field);
     bindMaps(shell.maps);
     beginTransparency(ctx, *shell.field);
@@ -321,7 +322,7 @@ Tallest tallestOf(const ShellView& view) {
 void drawEnds(DrawContext& ctx, ShellView& view) {
     const Tallest highest = tallestOf(view);
     view.endsAt = highest.top;
-    if (!ctx.use(kEnds, insideConstant(false)) || !highest.field) return;
+    if (!ctx.use(kShellEnds, insideConstant(false)) || !highest.field) return;
     glBindFramebuffer(GL_FRAMEBUFFER, view.endsTarget.id());
     const float nothing = 0;
     glClearNamedFramebufferfv(view.endsTarget.id(), GL_DEPTH, 0, &nothing);
@@ -357,7 +358,7 @@ bool drawOn(DrawContext& ctx, ShellView& view, const Shell& shell, bool inside) 
     return true;
 }
 
-void draw(DrawContext& ctx) {
+void drawShells(DrawContext& ctx) {
     ShellView& view = ctx.ofView<ShellView>();
     if (std::any_of(view.shells.begin(), view.shells.end(), [](const Shell& s) { return s.rays; }))
         copyDepth(ctx, kOwner, view.depth), fitEnds(ctx, view);
@@ -372,7 +373,7 @@ void draw(DrawContext& ctx) {
 }
 
 // The surface itself lies exactly where the mesh was drawn.
-void shade(DrawContext& ctx) {
+void shadeByShells(DrawContext& ctx) {
     ShellView& view = ctx.ofView<ShellView>();
     if (ctx.settings.mode != ViewMode::Final) return;
     beginDimming();
@@ -395,7 +396,7 @@ void shade(DrawContext& ctx) {
 
 void bake(DrawContext& ctx) { makeSlices(ctx, Feature::GrassOnMeshes); }
 
-std::vector<std::string> variants(bool inside) {
+std::vector<std::string> shellVariants(bool inside) {
     std::vector<std::string> out;
     const std::vector<std::string> depths = depthVariants();
     for (const std::string& field : fieldVariants())
@@ -413,11 +414,11 @@ const System kSystems[] = {{"grass/mesh-grass/bake",
                             true},
                            {"grass/mesh-grass/select",
                             {.reads = {Slot::Grass, Slot::Ground, Slot::Sun, Slot::Slices}, .appends = {Slot::Casters}},
-                            select}};
+                            selectShells}};
 const ProgramRow kPrograms[] = {{"grass/mesh-grass", "grass/mesh_grass.vert.glsl", "grass/mesh_grass.frag.glsl",
-                                 nullptr, [] { return variants(false); }},
+                                 nullptr, [] { return shellVariants(false); }},
                                 {"grass/mesh-grass/inside", "grass/mesh_grass.vert.glsl", "grass/mesh_grass.frag.glsl",
-                                 nullptr, [] { return variants(true); }},
+                                 nullptr, [] { return shellVariants(true); }},
                                 {"grass/mesh-grass/ends", "grass/mesh_grass.vert.glsl", "grass/mesh_ends.frag.glsl",
                                  nullptr, [] { return std::vector<std::string>{insideConstant(false)}; }}};
 const ProgramRow kShadePrograms[] = {
@@ -429,7 +430,7 @@ const Pass kPasses[] = {
      {.reads = {Slot::Grass, Slot::Slices, Slot::Shadows, Slot::Lamps, Slot::ObjectLight},
       .appends = {Slot::SceneColor, Slot::SceneDepth}},
      kPrograms,
-     draw,
+     drawShells,
      featureSet(Feature::GrassBlended),
      false,
      true},
@@ -438,7 +439,7 @@ const Pass kPasses[] = {
      kViewMain | kViewReflection,
      {.reads = {Slot::Grass, Slot::Slices, Slot::Shadows, Slot::ObjectLight}, .appends = {Slot::SceneColor}},
      kShadePrograms,
-     shade}};
+     shadeByShells}};
 const Follows kFollows[] = {
     {Feature::GrassOnMeshes, "rays through slices, but for blades that are drawn one by one"},
     {Feature::Wind, "rays lean against the gust where it blows along the surface"},

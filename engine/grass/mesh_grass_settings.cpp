@@ -29,13 +29,13 @@ bool isCarrier(const Registry& registry, Entity e) {
     return mesh && !mesh->file.empty();
 }
 
-FeatureSet featuresOnEntity(const Registry& registry, Entity e, const Tables&, bool) {
+FeatureSet featuresOfMeshGrass(const Registry& registry, Entity e, const Tables&, bool) {
     const Entity field = fieldOf(registry, *registry.get<MeshGrass>(e));
     const bool grows = isCarrier(registry, e) && field != kNoEntity && hasBlades(*registry.get<GrassField>(field));
     return grows ? featureSet(Feature::GrassOnMeshes) : FeatureSet{};
 }
 
-void check(const Registry& registry, Entity e, const std::string& path, std::vector<ComponentFault>& out) {
+void checkMeshGrass(const Registry& registry, Entity e, const std::string& path, std::vector<ComponentFault>& out) {
     const MeshGrass& grows = *registry.get<MeshGrass>(e);
     if (!isCarrier(registry, e))
         out.push_back({"", path + ": its entity has no StaticMesh with a file: nothing grows; add one", true});
@@ -60,14 +60,14 @@ void checkFiles(const Project& p, Entity e, const std::string& path, std::vector
     if (carrier.unmapped > 0) noticed.push_back({"", path + ": " + unmappedTriangles(file, carrier)});
 }
 
-constexpr MapRow kDensity{.onMesh = true};
-constexpr MapRow kOrientation{.kind = MapKind::Directions, .channels = 2, .onMesh = true};
-constexpr MapRow kVegetation{.kind = MapKind::Colours,
-                             .channels = 4,
-                             .type = PixelType::U8,
-                             .least = "0 grass",
-                             .most = "1 covered",
-                             .onMesh = true};
+constexpr MapRow kMeshDensity{.onMesh = true};
+constexpr MapRow kMeshOrientation{.kind = MapKind::Directions, .channels = 2, .onMesh = true};
+constexpr MapRow kMeshVegetation{.kind = MapKind::Colours,
+                                 .channels = 4,
+                                 .type = PixelType::U8,
+                                 .least = "0 grass",
+                                 .most = "1 covered",
+                                 .onMesh = true};
 
 }  // namespace
 
@@ -78,17 +78,17 @@ ComponentRow meshGrassRow() {
         titled("Length of one uv",
                real("uvLength", offsetof(MeshGrass, uvLength), "m", {0, 1e4, 0, 10},
                     "length that one unit of the mesh's texture coordinates is; 0: what it is in the mean")),
-        map("density", offsetof(MeshGrass, density), &kDensity,
+        map("density", offsetof(MeshGrass, density), &kMeshDensity,
             "where it grows: share of the species' bladesPerM2, over the texture coordinates; none: everywhere"),
-        map("vegetation", offsetof(MeshGrass, vegetation), &kVegetation,
+        map("vegetation", offsetof(MeshGrass, vegetation), &kMeshVegetation,
             "colour and opacity over the blades' own colour, over the texture coordinates"),
-        map("orientation", offsetof(MeshGrass, orientation), &kOrientation,
+        map("orientation", offsetof(MeshGrass, orientation), &kMeshOrientation,
             "direction along u, v about 0.5 in which blades lean, over the texture coordinates"),
     };
     ComponentRow row = componentRow<MeshGrass>("MeshGrass", "A field's grass grows on this entity's StaticMesh.",
                                                kFields, [](const void*) { return FeatureSet{}; });
-    row.featuresOnEntity = featuresOnEntity;
-    row.check = check;
+    row.featuresOnEntity = featuresOfMeshGrass;
+    row.check = checkMeshGrass;
     row.checkFiles = checkFiles;
     return row;
 }

@@ -73,20 +73,21 @@ bool eyeInside(const DrawContext& ctx, const Field& field) {
 constexpr float kAhead = 4;        // metres
 constexpr float kFarthest = 1e9f;  // metres: its square is a float
 
-Carrier carrierOf(const DrawContext& ctx, const Field& field) {
+Carrier carrierOfBlades(const DrawContext& ctx, const Field& field) {
     const FieldTiers& tiers = field.view->tiers;
     const float reach = reachOver(ctx, topOf(field), std::min(tiers.slicesTo, kFarthest));
     return {&field, nodesBetween(ctx, tiers.slicesFrom - kAhead, reach), tiers.slicesFrom <= 0 && eyeInside(ctx, field),
             reach};
 }
 
-void select(DrawContext& ctx) {
+void selectRays(DrawContext& ctx) {
     RayView& view = ctx.ofView<RayView>();
     view.carriers.clear();
     if (!ctx.shared.grass) return;
     if (!view.nodes.id()) view.nodes = makeBuffer(ctx.gpu, kOwner, NODES_PER_DRAW * sizeof(TerrainNode), nullptr);
     if (!view.screen.id()) view.screen = makeVertexArray(kOwner);
-    for (const Field* field : fieldsWith(ctx, Feature::GrassRaytraced)) view.carriers.push_back(carrierOf(ctx, *field));
+    for (const Field* field : fieldsWith(ctx, Feature::GrassRaytraced))
+        view.carriers.push_back(carrierOfBlades(ctx, *field));
 }
 
 std::string rayConstants(bool inside, bool whole, RayRest rest, RayVisibility visibility) {
@@ -104,7 +105,7 @@ bool endsAtScene(const Field& field) {
     return field.view->settings<RaytracedGrass>().visibility == RayVisibility::Scene;
 }
 
-enum Program { kOver, kInside };
+enum RayProgram { kRaysOver, kRaysInside };
 
 bool begin(DrawContext& ctx, const Carrier& c, bool inside) {
     const Field& field = *c.field;
@@ -112,7 +113,7 @@ bool begin(DrawContext& ctx, const Carrier& c, bool inside) {
     const std::string constants = fieldConstants(field.view->of) +
                                   rayConstants(inside, isWhole(field), own.rest, own.visibility) +
                                   (endsAtScene(field) ? depthConstants(ctx.targets) : depthVariants()[0]);
-    if (!beginField(ctx, field, inside ? kInside : kOver, constants)) return false;
+    if (!beginField(ctx, field, inside ? kRaysInside : kRaysOver, constants)) return false;
     glUniform1i(0, own.steps);
     glUniform1f(1, own.cutOff);
     glUniform1f(2, own.depthAt);
@@ -142,7 +143,7 @@ void drawInside(DrawContext& ctx, const Carrier& c, const VertexArray& screen) {
     }
 }
 
-void draw(DrawContext& ctx) {
+void drawRays(DrawContext& ctx) {
     RayView& view = ctx.ofView<RayView>();
     if (std::any_of(view.carriers.begin(), view.carriers.end(), [](const Carrier& c) { return endsAtScene(*c.field); }))
         copyDepth(ctx, kOwner, view.depth);
@@ -156,7 +157,7 @@ void draw(DrawContext& ctx) {
 }
 
 // All ways in which its programs differ.
-std::vector<std::string> variants(bool inside) {
+std::vector<std::string> rayVariants(bool inside) {
     std::vector<std::string> out;
     const std::vector<std::string> depths = depthVariants();
     for (const std::string& field : fieldVariants())
@@ -171,11 +172,11 @@ std::vector<std::string> variants(bool inside) {
 }
 
 const System kSystems[] = {
-    {"grass/raytraced/select", {.reads = {Slot::Grass, Slot::Ground, Slot::GroundNodes, Slot::Slices}}, select}};
+    {"grass/raytraced/select", {.reads = {Slot::Grass, Slot::Ground, Slot::GroundNodes, Slot::Slices}}, selectRays}};
 const ProgramRow kPrograms[] = {{"grass/raytraced", "grass/raytraced.vert.glsl", "grass/raytraced.frag.glsl", nullptr,
-                                 [] { return variants(false); }},
+                                 [] { return rayVariants(false); }},
                                 {"grass/raytraced/inside", "grass/raytraced.vert.glsl", "grass/raytraced.frag.glsl",
-                                 nullptr, [] { return variants(true); }}};
+                                 nullptr, [] { return rayVariants(true); }}};
 const Pass kPasses[] = {{"grass/raytraced",
                          Stage::Slices,
                          kViewMain | kViewReflection,
@@ -183,7 +184,7 @@ const Pass kPasses[] = {{"grass/raytraced",
                                     Slot::Shadows, Slot::ObjectLight, Slot::Lamps},
                           .appends = {Slot::SceneColor, Slot::SceneDepth}},
                          kPrograms,
-                         draw,
+                         drawRays,
                          featureSet(Feature::GrassBlended),
                          false,
                          true}};

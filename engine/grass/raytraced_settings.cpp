@@ -8,9 +8,9 @@ namespace {
 
 constexpr float kFadeFrom = 0.7f;  // share of maxDistance from which the horizontal slice takes over
 
-FeatureSet features(const FieldEntity&) { return featureSet(Feature::GrassRaytraced, Feature::GrassFar); }
+FeatureSet featuresOfRays(const FieldEntity&) { return featureSet(Feature::GrassRaytraced, Feature::GrassFar); }
 
-FieldTiers tiers(const FieldEntity& field, float) {
+FieldTiers rayTiers(const FieldEntity& field, float) {
     const float far = field.settings<RaytracedGrass>().maxDistance;
     FieldTiers t;
     t.flat = std::isinf(far) ? FadeRange{0, 0, INFINITY} : fadeRange(kFadeFrom * far, far);
@@ -20,7 +20,7 @@ FieldTiers tiers(const FieldEntity& field, float) {
     return t;
 }
 
-std::vector<SettingValues> sweep(const FieldEntity&) {
+std::vector<SettingValues> sweepRays(const FieldEntity&) {
     std::vector<SettingValues> out;
     for (const char* steps : {"steps=4", "steps=8", "steps=16", "steps=32"})
         for (const char* msaa : {"msaa=1", "msaa=4"}) out.push_back({steps, msaa});
@@ -33,7 +33,7 @@ std::vector<SettingValues> sweep(const FieldEntity&) {
 
 constexpr KnobRow kKnobs[] = {{"steps", true, 1, 0, 1e30, true}, {"far", true, 1, 0, 1e30, true}};
 // steps: slices that a ray looks at; far: how far rays are traced.
-SettingValues turned(const FieldEntity& field, std::span<const double> k) {
+SettingValues raysTurned(const FieldEntity& field, std::span<const double> k) {
     const auto& own = field.settings<RaytracedGrass>();
     const double steps = std::clamp(std::round(own.steps * k[0]), 1.0, 64.0),
                  far = std::clamp(static_cast<double>(own.maxDistance) * k[1], 0.1, 1e6);
@@ -77,11 +77,11 @@ TechniqueRow raytracedTechnique() {
             .help = "rays through vertical slices, pixel by pixel (Habel 2007)",
             .color = 0xf0e442,
             .settings = kSettings,
-            .features = features,
-            .tiers = tiers,
-            .sweep = sweep,
+            .features = featuresOfRays,
+            .tiers = rayTiers,
+            .sweep = sweepRays,
             .knobs = kKnobs,
-            .turned = turned};
+            .turned = raysTurned};
 }
 
 }  // namespace sward

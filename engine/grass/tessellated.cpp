@@ -14,7 +14,7 @@ namespace sward {
 namespace {
 
 constexpr const char* kOwner = "grass/tessellated";
-constexpr float kNear = 0.05f;        // metres: the near plane
+constexpr float kNearTo = 0.05f;      // metres: the near plane
 constexpr float kMostWidening = 6;    // of blades, where others are left out
 constexpr float kPlainPixels = 1.5f;  // blades of one quad that are thinner are plain triangles
 constexpr uint32_t kSoftwarePiece = 256,
@@ -27,18 +27,18 @@ constexpr uint32_t kCommandBytes = 20, kPlainCommandBytes = 16;
 constexpr size_t kBatchBytes = 128u << 20;  // of vertices that are there at once
 
 // What all views share of a species: its blades, and how the rows of strips are joined.
-struct Mesh {
+struct PieceMesh {
     uint64_t key = 0;
     int indicesTo = 0;
     Buffer blades, indices;
 };
 struct TessState : EffectState {
-    PerSpecies<Mesh> meshes;
+    PerSpecies<PieceMesh> meshes;
     VertexArray patches;
 };
 // What a view draws of a species.
-struct Selection {
-    Mesh* mesh = nullptr;
+struct PatchSelection {
+    PieceMesh* mesh = nullptr;
     Buffer cells, list, globals;
     Buffer commands, vertices;  // room for one batch
     VertexArray strips;
@@ -48,7 +48,7 @@ struct Selection {
     uint32_t drawPoints = 1, pointDraws = 0;                   // of stages: blades of a draw at most, and draws
 };
 struct TessView : EffectState {
-    PerSpecies<Selection> species;
+    PerSpecies<PatchSelection> species;
 };
 
 bool stagesChosen(Tessellation way, const Gpu& gpu) {
@@ -86,19 +86,19 @@ TessGlobals globalsOf(const DrawContext& ctx, const TessellatedBlades& f, const 
     g.widerAMetre = widerAMetre(f, thinned);
     g.mostLevel = static_cast<float>(species.smoothness);
     g.pixelsPerQuad = f.levelBy == LevelBy::Pixels ? f.pixelsPerQuad : 0;
-    g.near = kNear;
+    g.near = kNearTo;
     g.plainPixels = kPlainPixels;
     return g;
 }
 
-void updateMesh(DrawContext& ctx, Mesh& m, const GrownSpecies& species) {
+void updateMesh(DrawContext& ctx, PieceMesh& m, const GrownSpecies& species) {
     const std::vector<Blade>& blades = species.drawn().blades;
     if (m.key != species.drawnKey() || !m.blades.id())
         m.blades = makeBuffer(ctx.gpu, kOwner, blades.size() * sizeof(Blade), blades.data());
     m.key = species.drawnKey();
 }
 
-void updateMeshes(DrawContext& ctx) {
+void updatePatchMeshes(DrawContext& ctx) {
     TessState& state = ctx.own<TessState>();
     if (!ctx.shared.grown) return;
     state.meshes.keep(ctx.shared.grown->all, Feature::GrassTessellated);
@@ -117,14 +117,14 @@ size_t vertexBytes(const FeatureSet& features) {
 uint32_t pieceBlades(const Gpu& gpu) { return gpu.software ? kSoftwarePiece : kPiece; }
 
 // A row of stages has three vertices.
-void planPoints(const Gpu& gpu, Selection& s, int smoothness) {
+void planPoints(const Gpu& gpu, PatchSelection& s, int smoothness) {
     s.drawPoints = gpu.software ? kSoftwareVertices / (3 * static_cast<uint32_t>(smoothness + 1))
                                 : std::numeric_limits<int32_t>::max();
     s.pointDraws = static_cast<uint32_t>((s.chosen.allBlades + s.drawPoints - 1) / s.drawPoints);
 }
 
 // A batch is what begins within batchVertices; its last piece may end beyond.
-void planBatches(const Gpu& gpu, const FeatureSet& features, Selection& s) {
+void planBatches(const Gpu& gpu, const FeatureSet& features, PatchSelection& s) {
     const uint64_t piece = uint64_t{pieceBlades(gpu)} * 2 * kMostRows;
     const uint64_t most = kBatchBytes / vertexBytes(features) - piece;
     s.batchVertices = static_cast<uint32_t>(std::clamp<uint64_t>(s.chosen.vertices, 1, most));
@@ -155,7 +155,7 @@ float plainFrom(const DrawContext& ctx, const TessellatedBlades& f, const Specie
     return species.width * mostWidening(f) * widening * pixels / kMost;
 }
 
-void selectSpecies(DrawContext& ctx, const Field& field, size_t i, Selection& s) {
+void selectSpecies(DrawContext& ctx, const Field& field, size_t i, PatchSelection& s) {
     const auto& f = field.view->settings<TessellatedBlades>();
     const Species& species = field.grows().species[i];
     s.mesh = &ctx.own<TessState>().meshes.at(field.number, i);
@@ -173,7 +173,7 @@ void selectSpecies(DrawContext& ctx, const Field& field, size_t i, Selection& s)
                 nullptr);
 }
 
-void select(DrawContext& ctx) {
+void selectTessellated(DrawContext& ctx) {
     TessView& view = ctx.ofView<TessView>();
     if (!ctx.shared.grass) return;
     const auto start = std::chrono::steady_clock::now();
@@ -183,12 +183,12 @@ void select(DrawContext& ctx) {
     ctx.stats.cpuCullMs += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-enum CellProgram { kChoose, kList };
+enum ChoiceProgram { kChoosePieces, kListPieces };
 
-void listSpecies(DrawContext& ctx, const Field& field, size_t i, Selection& s) {
-    if (!ctx.use(kChoose, {}, &field.view->constants)) return;
+void listSpecies(DrawContext& ctx, const Field& field, size_t i, PatchSelection& s) {
+    if (!ctx.use(kChoosePieces, {}, &field.view->constants)) return;
     runChoice(s.chosen, field.grown->species[i]->density);
-    if (!ctx.use(kList, {}, &field.view->constants)) return;
+    if (!ctx.use(kListPieces, {}, &field.view->constants)) return;
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_CELLS, s.cells.id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_LIST, s.list.id());
     glUniform4ui(0, s.chosen.count, s.batchVertices, s.batches, s.drawPoints);
@@ -206,7 +206,7 @@ void listCells(DrawContext& ctx) {
 
 // --- drawing ---------------------------------------------------------------------------------------------------------
 
-void bindSpecies(const GrownSpecies& shared, const Selection& s) {
+void bindSpecies(const GrownSpecies& shared, const PatchSelection& s) {
     glBindTextureUnit(TEX_BLADE, shared.bladeTexture.id());
     if (shared.shade.texture) glBindTextureUnit(TEX_MASK, shared.shade.texture);
     if (shared.density) glBindTextureUnit(TEX_DENSITY, shared.density);
@@ -219,9 +219,9 @@ void bindSpecies(const GrownSpecies& shared, const Selection& s) {
     glBindBuffersBase(GL_UNIFORM_BUFFER, UBO_SPECIES, 2, globals);
 }
 
-enum Program { kStages, kWriter, kStrips, kPlain };
+enum PatchProgram { kStages, kWriter, kInStrips, kPlain };
 
-void drawPatches(DrawContext& ctx, const GrownSpecies& shared, const Selection& s) {
+void drawPatches(DrawContext& ctx, const GrownSpecies& shared, const PatchSelection& s) {
     if (s.chosen.pieces == 0) return;
     bindSpecies(shared, s);
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, s.list.id());
@@ -280,8 +280,8 @@ void describeVertices(GLuint mesh, GLuint vertices, const FeatureSet& features) 
     if (moved) describe(mesh, kMovedAt, {3, GL_HALF_FLOAT, shaded ? 48u : 32u});
 }
 
-void prepareStrips(DrawContext& ctx, Selection& s, const FeatureSet& features, int smoothness) {
-    Mesh& m = *s.mesh;
+void prepareStrips(DrawContext& ctx, PatchSelection& s, const FeatureSet& features, int smoothness) {
+    PieceMesh& m = *s.mesh;
     const size_t size = vertexBytes(features), over = std::min<uint64_t>(s.chosen.blades, pieceBlades(ctx.gpu)) * 2 *
                                                       static_cast<uint64_t>(smoothness + 1);
     writeBuffer(ctx.gpu, s.vertices, kOwner, (s.batchVertices + over) * size, nullptr);
@@ -305,7 +305,7 @@ struct StripPrograms {
     const std::string* features;
 };
 
-bool writeStrips(DrawContext& ctx, const Selection& s, uint32_t batch, const StripPrograms& p) {
+bool writeStrips(DrawContext& ctx, const PatchSelection& s, uint32_t batch, const StripPrograms& p) {
     if (!ctx.use(kWriter, p.constants, p.features)) return false;
     glUniform4ui(0, batch, batch * s.batchVertices, s.batchPieces, pieceBlades(ctx.gpu));
     glClearNamedBufferData(s.commands.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
@@ -315,9 +315,9 @@ bool writeStrips(DrawContext& ctx, const Selection& s, uint32_t batch, const Str
     return true;
 }
 
-void drawStrips(DrawContext& ctx, const Selection& s, const StripPrograms& p) {
+void drawStrips(DrawContext& ctx, const PatchSelection& s, const StripPrograms& p) {
     const auto commands = static_cast<GLsizei>(s.batchPieces);
-    if (!ctx.use(kStrips, p.constants, p.features)) return;
+    if (!ctx.use(kInStrips, p.constants, p.features)) return;
     glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, commands, kCommandBytes);
     if (!ctx.use(kPlain, p.constants, p.features)) return;
     glMultiDrawArraysIndirect(GL_TRIANGLES, reinterpret_cast<const void*>(uintptr_t{s.batchPieces} * kCommandBytes),
@@ -326,7 +326,7 @@ void drawStrips(DrawContext& ctx, const Selection& s, const StripPrograms& p) {
     ctx.pass->instances += 2 * static_cast<uint64_t>(commands);
 }
 
-void drawBatches(DrawContext& ctx, const Field& field, size_t i, Selection& s, const StripPrograms& p) {
+void drawBatches(DrawContext& ctx, const Field& field, size_t i, PatchSelection& s, const StripPrograms& p) {
     if (s.chosen.pieces == 0) return;
     prepareStrips(ctx, s, field.view->features, field.grows().species[i].smoothness);
     bindSpecies(*field.grown->species[i], s);
@@ -359,13 +359,13 @@ StripPrograms beginStrips(const DrawContext& ctx, const Field& field) {
             &field.view->constants};
 }
 
-void draw(DrawContext& ctx) {
+void drawTessellated(DrawContext& ctx) {
     TessState& state = ctx.own<TessState>();
     TessView& view = ctx.ofView<TessView>();
     const Field* begun = nullptr;
     StripPrograms programs;
     eachSpecies(ctx, Feature::GrassTessellated, [&](const Field& field, size_t i) {
-        Selection& s = view.species.at(field.number, i);
+        PatchSelection& s = view.species.at(field.number, i);
         const bool stages = stagesChosen(field.view->settings<TessellatedBlades>().tessellation, ctx.gpu);
         if (begun && begun != &field) endTransparency();  // of the field before
         if (begun != &field && stages && !beginPatches(ctx, state, field)) return;
@@ -391,8 +391,8 @@ std::vector<std::string> stripVariants() {
 }
 
 const System kSystems[] = {
-    {"grass/tessellated/meshes", {.reads = {Slot::Grown}, .appends = {Slot::Meshes}}, updateMeshes, true},
-    {"grass/tessellated/select", {.reads = {Slot::Grass, Slot::Meshes, Slot::Ground}}, select}};
+    {"grass/tessellated/meshes", {.reads = {Slot::Grown}, .appends = {Slot::Meshes}}, updatePatchMeshes, true},
+    {"grass/tessellated/select", {.reads = {Slot::Grass, Slot::Meshes, Slot::Ground}}, selectTessellated}};
 const ProgramRow kPrograms[] = {
     {"grass/tessellated/stages", "grass/tessellated.vert.glsl", "grass/blade.frag.glsl", nullptr, fieldVariants,
      "grass/tessellated.tesc.glsl", "grass/tessellated.tese.glsl"},
@@ -401,14 +401,14 @@ const ProgramRow kPrograms[] = {
     {"grass/tessellated/plain", "grass/tessellated_strip.vert.glsl", "grass/tessellated_plain.frag.glsl", nullptr,
      stripVariants},
 };
-const ProgramRow kCellPrograms[] = {{"grass/tessellated/choice", nullptr, nullptr, "grass/cells.comp.glsl"},
-                                    {"grass/tessellated/list", nullptr, nullptr, "grass/cell_list.comp.glsl"}};
+const ProgramRow kPatchPrograms[] = {{"grass/tessellated/choice", nullptr, nullptr, "grass/cells.comp.glsl"},
+                                     {"grass/tessellated/list", nullptr, nullptr, "grass/cell_list.comp.glsl"}};
 const Pass kPasses[] = {
     {"grass/tessellated/cells",
      Stage::Simulate,
      kViewMain | kViewReflection,
      {.reads = {Slot::Grass}, .appends = {Slot::BladeCells}},
-     kCellPrograms,
+     kPatchPrograms,
      listCells},
     {"grass/tessellated",
      Stage::Blades,
@@ -416,7 +416,7 @@ const Pass kPasses[] = {
      {.reads = {Slot::Grass, Slot::Masks, Slot::BladeCells, Slot::Forces, Slot::Shadows, Slot::ObjectLight},
       .appends = {Slot::SceneColor, Slot::SceneDepth}},
      kPrograms,
-     draw,
+     drawTessellated,
      featureSet(Feature::GrassBlended),
      false,
      true}};

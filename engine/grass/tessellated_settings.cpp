@@ -9,13 +9,13 @@
 namespace sward {
 namespace {
 
-FeatureSet features(const FieldEntity& field) {
+FeatureSet featuresOfTessellated(const FieldEntity& field) {
     const FeatureSet blades = featureSet(Feature::GrassTessellated);
     return field.settings<TessellatedBlades>().beyond == Beyond::Slice ? blades | featureSet(Feature::GrassFar)
                                                                        : blades;
 }
 
-FieldTiers tiers(const FieldEntity& field, float pixelsPerMetre) {
+FieldTiers tessellatedTiers(const FieldEntity& field, float pixelsPerMetre) {
     const auto& own = field.settings<TessellatedBlades>();
     const HybridTiers slices = tiersSeen(field, pixelsPerMetre);
     FieldTiers t;
@@ -27,15 +27,15 @@ FieldTiers tiers(const FieldEntity& field, float pixelsPerMetre) {
     return t;
 }
 
-std::string rounded(const char* name, double v) {
+std::string roundedSetting(const char* name, double v) {
     return std::string(name) + "=" + shortestText(static_cast<float>(std::round(v * 1000) / 1000));
 }
 // Fewer blades and less far, coarser blades, and who tessellates.
-std::vector<SettingValues> sweep(const FieldEntity& field) {
+std::vector<SettingValues> sweepTessellated(const FieldEntity& field) {
     const auto& own = field.settings<TessellatedBlades>();
     std::vector<SettingValues> out;
     for (const double far : {0.5, 1.0})
-        out.push_back({rounded("maxDistance", static_cast<double>(own.maxDistance) * far), "msaa=4"});
+        out.push_back({roundedSetting("maxDistance", static_cast<double>(own.maxDistance) * far), "msaa=4"});
     for (const char* one : {"thinning=0", "levelBy=pixels", "msaa=1", kTemporalSetting}) out.push_back({one});
     for (const char* one : {"leastPixels=0.25", "leastPixels=0.5", "leastPixels=1"})
         out.push_back({one, kTemporalSetting});
@@ -45,12 +45,12 @@ std::vector<SettingValues> sweep(const FieldEntity& field) {
 constexpr KnobRow kKnobs[] = {
     {"far", true, 1, 0, 1e30, true}, {"kept", true, 1, 0, 1e30, true}, kSamplesKnob, {"wide", false, 0, -1, 1, false}};
 // far: how far blades are drawn; kept: share of the blades that is left there; wide: how wide they are at least.
-SettingValues turned(const FieldEntity& field, std::span<const double> k) {
+SettingValues tessellatedTurned(const FieldEntity& field, std::span<const double> k) {
     const auto& own = field.settings<TessellatedBlades>();
     const double kept = (1 - static_cast<double>(own.thinning)) * k[1];
-    return {rounded("maxDistance", std::clamp(static_cast<double>(own.maxDistance) * k[0], 0.1, 1e6)),
-            rounded("thinning", std::clamp(1 - kept, 0.0, 1.0)), samplesTurned(k[2]),
-            rounded("leastPixels", std::clamp(static_cast<double>(own.leastPixels) + k[3], 0.0, 1.0))};
+    return {roundedSetting("maxDistance", std::clamp(static_cast<double>(own.maxDistance) * k[0], 0.1, 1e6)),
+            roundedSetting("thinning", std::clamp(1 - kept, 0.0, 1.0)), samplesTurned(k[2]),
+            roundedSetting("leastPixels", std::clamp(static_cast<double>(own.leastPixels) + k[3], 0.0, 1.0))};
 }
 
 constexpr const char* kSettings[] = {"TessellatedBlades", "GrassSlices", "GrassDrawing", "FarLook"};
@@ -89,11 +89,11 @@ TechniqueRow tessellatedTechnique() {
             .help = "blades one by one, each as finely as its distance asks (Jahrmann 2013)",
             .color = 0x56b4e9,
             .settings = kSettings,
-            .features = features,
-            .tiers = tiers,
-            .sweep = sweep,
+            .features = featuresOfTessellated,
+            .tiers = tessellatedTiers,
+            .sweep = sweepTessellated,
             .knobs = kKnobs,
-            .turned = turned};
+            .turned = tessellatedTurned};
 }
 
 }  // namespace sward

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/luminance.h"
 #include "core/numerics.h"
 
 namespace sward {
@@ -69,7 +70,7 @@ TracedLight underSky(const TracedLight& traced, const glm::vec3& tilt) {
     for (size_t i = 0; i < kTracedViews; ++i)  // a lean changes both alike
         for (auto& lean : out.leaning.sky)
             lean[i] *= out.shows.sky[i] / glm::max(traced.shows.sky[i], glm::vec3(1e-6f));
-    const float soil = traced.soilSky + traced.soilTilt * glm::dot(tilt, glm::vec3(0.2126f, 0.7152f, 0.0722f));
+    const float soil = traced.soilSky + traced.soilTilt * luminance(tilt);
     out.soilSky = std::clamp(soil, 0.0f, 1.0f);
     return out;
 }

@@ -11,7 +11,7 @@ namespace {
 constexpr const char* kOwner = "objects/mesh";
 
 // Those of one file: first the seen, then the unseen that cast shadows.
-struct Group {
+struct MeshGroup {
     const GpuMesh* mesh = nullptr;
     size_t first = 0, seen = 0;
 };
@@ -23,20 +23,20 @@ struct MeshView : EffectState {
     Buffer instances, lights;
     std::vector<ObjectInstance> rows;
     std::vector<uint32_t> firstLights;  // of the rows: numbers of their first vertices (frame/object_light.h)
-    std::vector<Group> groups;
+    std::vector<MeshGroup> groups;
 };
 
-std::unique_ptr<EffectState> makeState(DrawContext& ctx) { return std::make_unique<MeshState>(ctx.gpu); }
+std::unique_ptr<EffectState> makeMeshState(DrawContext& ctx) { return std::make_unique<MeshState>(ctx.gpu); }
 
 ObjectInstance instanceOf(const PlacedMesh& p, const glm::dvec3& eye) {
     return instanceAt(p.at - eye, p.turn * static_cast<double>(p.mesh->scale));
 }
 
-struct Ball {
+struct MeshBall {
     glm::vec3 centre;
     float radius;
 };
-Ball ballOf(const GpuMesh& m, const ObjectInstance& i, float scale) {
+MeshBall ballOf(const GpuMesh& m, const ObjectInstance& i, float scale) {
     const glm::vec4 c(m.centre, 1);
     return {{glm::dot(i.row[0], c), glm::dot(i.row[1], c), glm::dot(i.row[2], c)}, m.radius * scale};
 }
@@ -44,11 +44,11 @@ Ball ballOf(const GpuMesh& m, const ObjectInstance& i, float scale) {
 // Adds those of one file.
 void addGroup(DrawContext& ctx, MeshView& s, const GpuMesh& m, const std::vector<const PlacedMesh*>& placed) {
     if (m.parts.empty()) return;
-    Group group{&m, s.rows.size(), 0};
-    std::vector<std::pair<ObjectInstance, Ball>> unseen;
+    MeshGroup group{&m, s.rows.size(), 0};
+    std::vector<std::pair<ObjectInstance, MeshBall>> unseen;
     for (const PlacedMesh* p : placed) {
         const ObjectInstance row = instanceOf(*p, ctx.camera.eye);
-        const Ball ball = ballOf(m, row, p->mesh->scale);
+        const MeshBall ball = ballOf(m, row, p->mesh->scale);
         const bool seen = ctx.frustum.touches(ball.centre - ball.radius, ball.centre + ball.radius);
         if (seen && p->mesh->castShadows) addCaster(ctx, m, s.rows.size(), 1, ball.centre, ball.radius);
         if (seen) s.rows.push_back(row), s.firstLights.push_back(firstLightOf(ctx, p->entity));
@@ -87,7 +87,7 @@ void setLights(const DrawContext& ctx, const GpuMesh& m, const Buffer& lights) {
     glVertexArrayVertexBuffer(mesh, 2, lights.id(), 0, sizeof(uint32_t));
 }
 
-void place(DrawContext& ctx) {
+void placeObjects(DrawContext& ctx) {
     MeshState& s = ctx.own<MeshState>();
     MeshView& view = ctx.ofView<MeshView>();
     const std::vector<PlacedMesh> placed = placedMeshes(ctx.project);
@@ -104,28 +104,28 @@ void place(DrawContext& ctx) {
         writeBuffer(ctx.gpu, view.lights, kOwner, view.firstLights.size() * sizeof(uint32_t), view.firstLights.data());
     else
         view.lights = {};
-    for (const Group& g : view.groups) {
+    for (const MeshGroup& g : view.groups) {
         glVertexArrayVertexBuffer(g.mesh->mesh.id(), 1, view.instances.id(), 0, sizeof(ObjectInstance));
         setLights(ctx, *g.mesh, view.lights);
     }
 }
 
-void draw(DrawContext& ctx) {
+void drawObjects(DrawContext& ctx) {
     const MeshState& s = ctx.own<MeshState>();
     if (!ctx.use()) return;  // also while none is seen: no halt when the first comes into view
     bindObjectLight(ctx);
-    for (const Group& g : ctx.ofView<MeshView>().groups)
+    for (const MeshGroup& g : ctx.ofView<MeshView>().groups)
         if (g.seen > 0) s.meshes.draw(ctx, *g.mesh, g.first, g.seen);
 }
 
-const System kSystems[] = {{"objects/place", {.reads = {Slot::ObjectLight}, .appends = {Slot::Casters}}, place}};
+const System kSystems[] = {{"objects/place", {.reads = {Slot::ObjectLight}, .appends = {Slot::Casters}}, placeObjects}};
 const ProgramRow kPrograms[] = {{"objects/mesh", "objects/mesh.vert.glsl", "objects/mesh.frag.glsl", nullptr}};
 const Pass kPasses[] = {{"objects/mesh",
                          Stage::Opaque,
                          kViewMain | kViewReflection,
                          {.reads = {Slot::Shadows}, .appends = {Slot::SceneColor, Slot::SceneDepth}},
                          kPrograms,
-                         draw,
+                         drawObjects,
                          {},
                          false,
                          true}};
@@ -138,7 +138,7 @@ const EffectRow& meshEffect() {
         featureSet(Feature::Objects),
         kSystems,
         kPasses,
-        makeState,
+        makeMeshState,
         "objects stand in the scene",
         [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<MeshView>(); }};
     return row;

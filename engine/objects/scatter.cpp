@@ -11,48 +11,48 @@ namespace sward {
 namespace {
 
 constexpr const char* kOwner = "objects/scatter";
-constexpr double kSquare = 32;       // metres, of what is seen or not as one
-constexpr float kShadowsFrom = 400;  // metres from the eye to which what is not seen may cast shadows into view
+constexpr double kSquare = 32;              // metres, of what is seen or not as one
+constexpr float kScatterShadowsFrom = 400;  // metres from the eye to which what is not seen may cast shadows into view
 
 // Objects of one mesh whose origins lie in one square.
-struct Chunk {
+struct ScatterChunk {
     size_t first = 0, count = 0;
     glm::dvec3 centre{0};  // of their origins, in the world
     float radius = 0;      // of a ball around those
     float largest = 0;     // scale
 };
 // One mesh of one entity.
-struct Kind {
+struct ScatterKind {
     std::string file;
     std::vector<ScatteredObject> objects;  // chunk by chunk
-    std::vector<Chunk> chunks;
+    std::vector<ScatterChunk> chunks;
 };
-struct Entry {
+struct ScatterEntry {
     std::shared_ptr<const Scattering> of;
     std::vector<std::string> files;
-    std::vector<Kind> kinds;
+    std::vector<ScatterKind> kinds;
 };
 struct ScatterState : EffectState {
     GpuMeshes meshes;
     ScatterMemory memory;
-    std::map<std::string, Entry> entries;  // by entity
+    std::map<std::string, ScatterEntry> entries;  // by entity
     explicit ScatterState(Gpu& gpu) : meshes(gpu, kOwner) {}
 };
 // Rows of one mesh: first the seen.
-struct Group {
+struct ScatterGroup {
     const GpuMesh* mesh;
     size_t first, seen;
 };
 struct ScatterView : EffectState {
     Buffer instances;
     std::vector<ObjectInstance> rows;
-    std::vector<Group> groups;
+    std::vector<ScatterGroup> groups;
 };
 
 glm::ivec2 squareOf(const glm::dvec3& at) { return {std::floor(at.x / kSquare), std::floor(at.z / kSquare)}; }
 
-void addChunk(Kind& k, size_t first, size_t end) {
-    Chunk c{first, end - first};
+void addChunk(ScatterKind& k, size_t first, size_t end) {
+    ScatterChunk c{first, end - first};
     glm::dvec3 low = k.objects[first].at, high = low;
     for (size_t i = first; i < end; ++i) {
         low = glm::min(low, k.objects[i].at), high = glm::max(high, k.objects[i].at);
@@ -63,7 +63,7 @@ void addChunk(Kind& k, size_t first, size_t end) {
     k.chunks.push_back(c);
 }
 
-void sortIntoChunks(Kind& k) {
+void sortIntoChunks(ScatterKind& k) {
     const auto key = [](const ScatteredObject& o) {
         const glm::ivec2 square = squareOf(o.at);
         return std::pair(square.y, square.x);
@@ -82,7 +82,7 @@ std::vector<std::string> filesOf(const Scatter& s) {
     return files;
 }
 
-void follow(Entry& e, const std::string& entity, const Scatter& s, std::shared_ptr<const Scattering> now) {
+void follow(ScatterEntry& e, const std::string& entity, const Scatter& s, std::shared_ptr<const Scattering> now) {
     std::vector<std::string> files = filesOf(s);
     if (e.of == now && e.files == files) return;
     if (const std::string said = e.of == now ? "" : shortfall(entity, s, *now); !said.empty()) logWarning(said);
@@ -96,16 +96,17 @@ void follow(Entry& e, const std::string& entity, const Scatter& s, std::shared_p
     }
 }
 
-struct Ball {
+struct ScatterBall {
     glm::vec3 centre;  // relative to the eye
     float radius;
 };
-Ball ballOf(const Chunk& c, const GpuMesh& m, const glm::dvec3& eye) {
+ScatterBall ballOf(const ScatterChunk& c, const GpuMesh& m, const glm::dvec3& eye) {
     return {glm::vec3(c.centre - eye), c.radius + (glm::length(m.centre) + m.radius) * c.largest};
 }
 
-void addRows(DrawContext& ctx, ScatterView& view, const Kind& k, const GpuMesh& m, const Chunk& c, bool casts) {
-    const Ball ball = ballOf(c, m, ctx.camera.eye);
+void addRows(DrawContext& ctx, ScatterView& view, const ScatterKind& k, const GpuMesh& m, const ScatterChunk& c,
+             bool casts) {
+    const ScatterBall ball = ballOf(c, m, ctx.camera.eye);
     if (casts) addCaster(ctx, m, view.rows.size(), c.count, ball.centre, ball.radius);
     for (size_t i = c.first; i < c.first + c.count; ++i) {
         const ScatteredObject& o = k.objects[i];
@@ -113,23 +114,23 @@ void addRows(DrawContext& ctx, ScatterView& view, const Kind& k, const GpuMesh& 
     }
 }
 
-void addKind(DrawContext& ctx, ScatterView& view, const Kind& k, const GpuMesh& m, bool casts) {
+void addKind(DrawContext& ctx, ScatterView& view, const ScatterKind& k, const GpuMesh& m, bool casts) {
     if (m.parts.empty()) return;
-    Group group{&m, view.rows.size(), 0};
-    std::vector<const Chunk*> unseen;
-    for (const Chunk& c : k.chunks) {
-        const Ball ball = ballOf(c, m, ctx.camera.eye);
+    ScatterGroup group{&m, view.rows.size(), 0};
+    std::vector<const ScatterChunk*> unseen;
+    for (const ScatterChunk& c : k.chunks) {
+        const ScatterBall ball = ballOf(c, m, ctx.camera.eye);
         if (ctx.frustum.touches(ball.centre - ball.radius, ball.centre + ball.radius))
             addRows(ctx, view, k, m, c, casts);
-        else if (casts && glm::length(ball.centre) < kShadowsFrom + ball.radius)
+        else if (casts && glm::length(ball.centre) < kScatterShadowsFrom + ball.radius)
             unseen.push_back(&c);
     }
     group.seen = view.rows.size() - group.first;
-    for (const Chunk* c : unseen) addRows(ctx, view, k, m, *c, true);
+    for (const ScatterChunk* c : unseen) addRows(ctx, view, k, m, *c, true);
     view.groups.push_back(group);
 }
 
-void place(DrawContext& ctx) {
+void placeScattered(DrawContext& ctx) {
     ScatterState& s = ctx.own<ScatterState>();
     ScatterView& view = ctx.ofView<ScatterView>();
     const auto all = scattersOf(ctx.project);
@@ -143,9 +144,9 @@ void place(DrawContext& ctx) {
     Hasher hash;
     std::vector<std::string> files;
     for (const auto& [entity, scatter] : all) {
-        Entry& e = s.entries[entity];
+        ScatterEntry& e = s.entries[entity];
         follow(e, entity, *scatter, s.memory.of(ctx.project, ground, entity, *scatter));
-        for (const Kind& k : e.kinds) {
+        for (const ScatterKind& k : e.kinds) {
             if (k.objects.empty()) continue;
             addKind(ctx, view, k, s.meshes.of(ctx, k.file), scatter->castShadows);
             files.push_back(k.file);
@@ -156,25 +157,25 @@ void place(DrawContext& ctx) {
     s.meshes.keepIf([&](const std::string& f) { return std::find(files.begin(), files.end(), f) != files.end(); });
     ctx.shared.castersHash += hash.value();
     writeBuffer(ctx.gpu, view.instances, kOwner, view.rows.size() * sizeof(ObjectInstance), view.rows.data());
-    for (const Group& g : view.groups)
+    for (const ScatterGroup& g : view.groups)
         glVertexArrayVertexBuffer(g.mesh->mesh.id(), 1, view.instances.id(), 0, sizeof(ObjectInstance));
 }
 
-void draw(DrawContext& ctx) {
+void drawScattered(DrawContext& ctx) {
     const ScatterState& s = ctx.own<ScatterState>();
     if (!ctx.use()) return;
-    for (const Group& g : ctx.ofView<ScatterView>().groups)
+    for (const ScatterGroup& g : ctx.ofView<ScatterView>().groups)
         if (g.seen > 0) s.meshes.draw(ctx, *g.mesh, g.first, g.seen);
 }
 
-const System kSystems[] = {{"objects/scatter/place", {.appends = {Slot::Casters}}, place}};
+const System kSystems[] = {{"objects/scatter/place", {.appends = {Slot::Casters}}, placeScattered}};
 const ProgramRow kPrograms[] = {{"objects/scatter", "objects/mesh.vert.glsl", "objects/mesh.frag.glsl", nullptr}};
 const Pass kPasses[] = {{"objects/scatter",
                          Stage::Opaque,
                          kViewMain | kViewReflection,
                          {.reads = {Slot::Shadows}, .appends = {Slot::SceneColor, Slot::SceneDepth}},
                          kPrograms,
-                         draw}};
+                         drawScattered}};
 
 }  // namespace
 

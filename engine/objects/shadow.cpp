@@ -7,10 +7,10 @@ namespace sward {
 namespace {
 
 constexpr const char* kOwner = "objects/shadow";
-constexpr int kSide = 2048;                                // texels of a map
-constexpr double kReach[SHADOW_CASCADES] = {14, 60, 256};  // metres from the eye
-constexpr double kSlack = 0.1;           // share of the reach that the eye may move before a map is drawn anew
-constexpr double kHalf = 1.02 + kSlack;  // half a map's side, as a share of the reach: and room for taps
+constexpr int kMapSide = 2048;                                // texels of a map
+constexpr double kSunReach[SHADOW_CASCADES] = {14, 60, 256};  // metres from the eye
+constexpr double kSunSlack = 0.1;           // share of the reach that the eye may move before a map is drawn anew
+constexpr double kHalf = 1.02 + kSunSlack;  // half a map's side, as a share of the reach: and room for taps
 
 struct ShadowMap {
     glm::dvec3 centre{0};   // in the world
@@ -28,12 +28,12 @@ struct ShadowView : EffectState {
     ShadowGlobals values;
 };
 
-std::unique_ptr<EffectState> makeState(DrawContext& ctx) {
+std::unique_ptr<EffectState> makeShadowState(DrawContext& ctx) {
     auto s = std::make_unique<ShadowState>();
-    s->maps = makeShadowMaps(ctx.gpu, kOwner, kSide, SHADOW_CASCADES);
+    s->maps = makeShadowMaps(ctx.gpu, kOwner, kMapSide, SHADOW_CASCADES);
     return s;
 }
-std::unique_ptr<EffectState> makeView(DrawContext& ctx) {
+std::unique_ptr<EffectState> makeShadowView(DrawContext& ctx) {
     auto s = std::make_unique<ShadowView>();
     s->globals = makeBuffer(ctx.gpu, kOwner, sizeof(ShadowGlobals), nullptr);
     return s;
@@ -42,14 +42,14 @@ std::unique_ptr<EffectState> makeView(DrawContext& ctx) {
 // around: what is shaded; both in the world.
 void aimMap(ShadowState& s, ShadowGlobals& values, int i, const glm::dvec3& around, const glm::dvec3& eye) {
     ShadowMap& map = s.map[i];
-    if (map.drawn == 0 || glm::distance(map.centre, around) > kSlack * kReach[i]) {
+    if (map.drawn == 0 || glm::distance(map.centre, around) > kSunSlack * kSunReach[i]) {
         map.centre = around;
         map.drawn = 0;
     }
-    const double half = kReach[i] * kHalf;
-    values.cascades[i].toMap = mapAround(s.axes, map.centre, eye, half, kSide);
-    values.cascades[i].reach = static_cast<float>(kReach[i]);
-    values.cascades[i].texel = static_cast<float>(2 * half / kSide);
+    const double half = kSunReach[i] * kHalf;
+    values.cascades[i].toMap = mapAround(s.axes, map.centre, eye, half, kMapSide);
+    values.cascades[i].reach = static_cast<float>(kSunReach[i]);
+    values.cascades[i].texel = static_cast<float>(2 * half / kMapSide);
 }
 
 void aim(DrawContext& ctx) {
@@ -62,7 +62,7 @@ void aim(DrawContext& ctx) {
             for (ShadowMap& map : s.map) map.drawn = 0;
         }
         for (int i = 0; i < SHADOW_CASCADES; ++i) aimMap(s, view.values, i, ctx.around, ctx.camera.eye);
-        view.values.texelShare = 1.0f / kSide;
+        view.values.texelShare = 1.0f / kMapSide;
         glNamedBufferSubData(view.globals.id(), 0, sizeof(ShadowGlobals), &view.values);
     }
     glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SHADOW, view.globals.id());
@@ -73,17 +73,17 @@ void drawMap(DrawContext& ctx, const ShadowState& s, int map) {
     beginShadowMap(s.maps, map);
     glUniform1i(1, map);
     for (const ShadowCaster& c : ctx.shared.casters)
-        if (shadesWithin(s.axes, c, static_cast<float>(kReach[map]))) drawCaster(ctx, c);
+        if (shadesWithin(s.axes, c, static_cast<float>(kSunReach[map]))) drawCaster(ctx, c);
 }
 
-void draw(DrawContext& ctx) {
+void drawCascades(DrawContext& ctx) {
     ShadowState& s = ctx.own<ShadowState>();
     const uint64_t wanted = ctx.shared.castersHash | 1;
     // The mirror takes what the main view drew; the main view draws its own, so that it is the same without a mirror.
     const bool mirrored = ctx.globals.mirrored != 0;
     const auto stale = [&](const ShadowMap& map) { return map.drawn != wanted || (map.mirrored && !mirrored); };
     if (ctx.globals.sunIsUp <= 0 || std::none_of(std::begin(s.map), std::end(s.map), stale) || !ctx.use()) return;
-    glViewport(0, 0, kSide, kSide);
+    glViewport(0, 0, kMapSide, kMapSide);
     glEnable(GL_DEPTH_CLAMP);  // what stands nearer to the sun than the map still shades
     for (int i = 0; i < SHADOW_CASCADES; ++i) {
         if (!stale(s.map[i])) continue;
@@ -101,13 +101,13 @@ const Pass kPasses[] = {{"objects/shadow",
                          kViewMain | kViewReflection,
                          {.reads = {Slot::Casters}, .appends = {Slot::Shadows}},
                          kPrograms,
-                         draw}};
+                         drawCascades}};
 
 }  // namespace
 
 const EffectRow& shadowEffect() {
-    static const EffectRow row{"objects/shadow", featureSet(Feature::ObjectShadows),    kSystems, kPasses,
-                               makeState,        "objects shade what lies behind them", makeView};
+    static const EffectRow row{"objects/shadow", featureSet(Feature::ObjectShadows),    kSystems,      kPasses,
+                               makeShadowState,  "objects shade what lies behind them", makeShadowView};
     return row;
 }
 

@@ -11,19 +11,19 @@ namespace sward {
 namespace {
 
 constexpr const char* kOwner = "post/antialias";
-constexpr uint32_t kPlaces = 64;  // within a pixel, until they repeat
+constexpr uint32_t kPixelPlaces = 64;  // within a pixel, until they repeat
 // Each frame looks at another place of the pixel, and sees about a part of it: over all of it, their mean would be
 // blurred twice.
 constexpr float kLookShare = 0.35f;
 constexpr float kStillFrames = 4;  // a picture at rest becomes the mean of so many times the frames of one that moves
 
 // What a picture shows from where; two that are equal show the same.
-struct Seen {
+struct SeenBefore {
     glm::dvec3 eye{0};
     glm::mat4 viewProj{0};  // not moved by a part of a pixel
     double time = 0;
     float exposure = 1;
-    bool operator==(const Seen&) const = default;
+    bool operator==(const SeenBefore&) const = default;
 };
 // Means so far: of which frames, and how far away what they show was.
 struct History {
@@ -36,7 +36,7 @@ struct AntialiasView : EffectState {
     uint32_t frame = 0;  // since the picture was begun
     float atRest = 0;    // frames since something moved
     int width = 0, height = 0;
-    Seen now, before;
+    SeenBefore now, before;
     const History& read() const { return histories[newest]; }
     const History& write() const { return histories[1 - newest]; }
 };
@@ -62,7 +62,7 @@ float mirroredDigits(uint32_t i, uint32_t base) {
     return sum;
 }
 glm::vec2 placeInPixel(uint32_t frame) {
-    const uint32_t i = frame % kPlaces + 1;
+    const uint32_t i = frame % kPixelPlaces + 1;
     return {mirroredDigits(i, 2) - 0.5f, mirroredDigits(i, 3) - 0.5f};
 }
 
@@ -116,7 +116,7 @@ void accumulate(DrawContext& ctx, AntialiasView& s, float frames) {
     ctx.pass->instances += 1;
 }
 
-void draw(DrawContext& ctx) {
+void drawAddedUp(DrawContext& ctx) {
     AntialiasView& s = ctx.ofView<AntialiasView>();
     const ViewTargets& t = ctx.targets;
     if (!t.motion.id() || !ctx.use()) return;
@@ -139,7 +139,7 @@ const Pass kPasses[] = {{"post/antialias",
                          kViewMain,
                          {.reads = {Slot::Resolved, Slot::SceneDepth}, .writes = {Slot::Resolved}},
                          kPrograms,
-                         draw,
+                         drawAddedUp,
                          {},
                          false,
                          false,

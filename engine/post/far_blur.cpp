@@ -50,7 +50,7 @@ FarLook blurOf(const Project& project) {
     return nearest.value_or(FarLook{});
 }
 
-void draw(DrawContext& ctx) {
+void drawBlurred(DrawContext& ctx) {
     if (ctx.settings.mode != ViewMode::Final) return;  // false colours are no picture
     BlurView& s = ctx.ofView<BlurView>();
     const ViewTargets& t = ctx.targets;
@@ -70,7 +70,7 @@ const Pass kPasses[] = {{"post/far-blur",
                          kViewMain,
                          {.reads = {Slot::Resolved, Slot::SceneDepth}, .writes = {Slot::Resolved}},
                          kPrograms,
-                         draw}};
+                         drawBlurred}};
 
 }  // namespace
 

@@ -49,7 +49,7 @@ float tallestGrass(const Project& project) {
     return most + 0.15f;
 }
 
-void draw(DrawContext& ctx) {
+void drawOverlay(DrawContext& ctx) {
     const MapOverlay& overlay = ctx.settings.overlay;
     if (overlay.map.empty()) return;
     const Result<ConstFieldRef> field = findField(ctx.project, ctx.tables.components, overlay.map);
@@ -88,7 +88,7 @@ const Pass kPasses[] = {
      kViewMain,
      {.reads = {Slot::SceneDepth, Slot::Image, Slot::Grass, Slot::Forces, Slot::Ground}, .writes = {Slot::Image}},
      kPrograms,
-     draw}};
+     drawOverlay}};
 
 }  // namespace
 

@@ -38,7 +38,7 @@ void checkLimits(const SceneToCheck& s, CheckReport& report) {
     report.refused.push_back(std::move(e));
 }
 
-std::string placeOf(const SceneToCheck& s, const Json* at) {
+std::string placeInFile(const SceneToCheck& s, const Json* at) {
     const std::string file = (s.project.dir / "project.json").string();
     return at ? fmt::format("{}:{}", file, at->line) : file;
 }
@@ -69,7 +69,7 @@ void checkComponent(const SceneToCheck& s, const std::string& name, Entity e, co
         row.checkFiles(s.project, e, name + "." + row.name, report.refused, faults);
     for (ComponentFault& f : faults) {
         const Json* at = valueBelow(valueOf(s.root, name, row.name, ""), f.field);
-        (f.withoutIt ? report.repaired : report.noticed).push_back({placeOf(s, at), std::move(f.message)});
+        (f.withoutIt ? report.repaired : report.noticed).push_back({placeInFile(s, at), std::move(f.message)});
     }
 }
 
@@ -79,7 +79,7 @@ void checkScene(const SceneToCheck& given, CheckReport& report) {
     DrawnProject drawn;
     const SceneToCheck scene{drawn.of(given.project, given.rows), given.rows, given.root};
     for (const LayerNote& note : drawn.layerNotes())
-        report.noticed.push_back({placeOf(given, nullptr), note.layer + ": " + note.message});
+        report.noticed.push_back({placeInFile(given, nullptr), note.layer + ": " + note.message});
     if (report.refused.empty())
         checkPopulation(scene, report);  // maps that could not be read say nothing of how many blades grow
     checkLimits(scene, report);
@@ -88,10 +88,10 @@ void checkScene(const SceneToCheck& given, CheckReport& report) {
     for (const MapFinding& found : mapFindings(given.project, given.rows))
         if (!found.meant)
             report.noticed.push_back(
-                {placeOf(given, nullptr), fmt::format("{}: {}; worst about ({:.1f}, {:.1f}) m", found.map,
-                                                      found.message, found.worst.x, found.worst.y)});
+                {placeInFile(given, nullptr), fmt::format("{}: {}; worst about ({:.1f}, {:.1f}) m", found.map,
+                                                          found.message, found.worst.x, found.worst.y)});
     for (const std::string& map : mapsBeyondPaths(scene.project, scene.rows))
-        report.noticed.push_back({placeOf(scene, nullptr), beyondPaths(map)});
+        report.noticed.push_back({placeInFile(scene, nullptr), beyondPaths(map)});
 }
 
 }  // namespace sward

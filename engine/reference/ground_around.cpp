@@ -21,15 +21,15 @@ constexpr double kLargeFoot = 8;                // metres across: points half a 
 constexpr float kSeen = 0.015f;                 // change of the share of light that counts as one
 constexpr float kRough = 0.12f;                 // difference between points half a metre apart that asks for more
 
-using Place = std::pair<int, int>;  // z, x: of a cell, or of a point in steps of the finest grid
+using GridPlace = std::pair<int, int>;  // z, x: of a cell, or of a point in steps of the finest grid
 
 // Points of the ground, each traced once.
 class GroundPoints {
   public:
     GroundPoints(const AroundTracer& tracer, const JobControl& control) : tracer_(tracer), control_(control) {}
     // Marks those of a cell for trace(); steps: a side.
-    void want(const Place& cell, int steps) {
-        eachOf(cell, steps, [&](const Place& at) {
+    void want(const GridPlace& cell, int steps) {
+        eachOf(cell, steps, [&](const GridPlace& at) {
             if (found_.try_emplace(at).second) wanted_.push_back(at);
         });
     }
@@ -45,21 +45,21 @@ class GroundPoints {
         wanted_.clear();
     }
     // Whether all of a cell's corners lie within objects.
-    bool isHidden(const Place& cell) const {
+    bool isHidden(const GridPlace& cell) const {
         bool hidden = true;
-        eachOf(cell, 1, [&](const Place& at) { hidden = hidden && !found_.at(at); });
+        eachOf(cell, 1, [&](const GridPlace& at) { hidden = hidden && !found_.at(at); });
         return hidden;
     }
     // What was found at a cell's points; what lies within objects is as its neighbours are.
-    std::vector<AroundFactors> of(const Place& cell, int steps) const {
+    std::vector<AroundFactors> of(const GridPlace& cell, int steps) const {
         std::vector<std::optional<AroundFactors>> points;
-        eachOf(cell, steps, [&](const Place& at) { points.push_back(found_.at(at)); });
+        eachOf(cell, steps, [&](const GridPlace& at) { points.push_back(found_.at(at)); });
         return filled(std::move(points), steps + 1);
     }
 
   private:
     template <class F>
-    static void eachOf(const Place& cell, int steps, F f) {
+    static void eachOf(const GridPlace& cell, int steps, F f) {
         const int step = kFine / steps;
         for (int z = 0; z <= steps; ++z)
             for (int x = 0; x <= steps; ++x) f({cell.first * kFine + z * step, cell.second * kFine + x * step});
@@ -92,18 +92,18 @@ class GroundPoints {
     }
 
     struct PlaceHash {
-        size_t operator()(const Place& p) const {
+        size_t operator()(const GridPlace& p) const {
             return f32::hash2(static_cast<uint32_t>(p.first), static_cast<uint32_t>(p.second));
         }
     };
     const AroundTracer& tracer_;
     const JobControl& control_;
-    std::unordered_map<Place, std::optional<AroundFactors>, PlaceHash> found_;
-    std::vector<Place> wanted_;
+    std::unordered_map<GridPlace, std::optional<AroundFactors>, PlaceHash> found_;
+    std::vector<GridPlace> wanted_;
 };
 
 // Adds the terrain's cells that a rectangle touches, as long as they are not too many.
-void addCells(std::set<Place>& out, const Terrain& t, const glm::dvec2& low, const glm::dvec2& high) {
+void addCells(std::set<GridPlace>& out, const Terrain& t, const glm::dvec2& low, const glm::dvec2& high) {
     constexpr double kCell = AROUND_CELL, kMostCells = 65536;  // along an axis: a key has 16 bits for each
     const glm::dvec2 last = glm::min(glm::ceil(t.size / kCell), glm::dvec2(kMostCells)) - 1.0;
     if (!(low.x <= high.x && low.y <= high.y)) return;
@@ -153,7 +153,7 @@ Result<std::vector<GroundTile>> traceGround(const AroundTracer& tracer, const Pr
     std::vector<GroundTile> out;
     const Ground ground = findGround(p);
     if (!ground.terrain) return out;
-    std::set<Place> reached, beside, feet;
+    std::set<GridPlace> reached, beside, feet;
     for (const StandingBox& b : boxes) {
         const double reach = std::min(kReach * b.top, kMostReach);
         addCells(reached, *ground.terrain, b.low - reach, b.high + reach);
@@ -164,25 +164,25 @@ Result<std::vector<GroundTile>> traceGround(const AroundTracer& tracer, const Pr
     }
     const AroundLights& lights = tracer.lights();
     GroundPoints points(tracer, control);
-    for (const Place& c : reached) points.want(c, 1);
+    for (const GridPlace& c : reached) points.want(c, 1);
     points.trace();
-    std::map<Place, int> steps;
-    const auto refine = [&](const Place& c, int to) { points.want(c, steps[c] = to); };
-    const auto isRoughOf = [&](const Place& c, float rough) {
+    std::map<GridPlace, int> steps;
+    const auto refine = [&](const GridPlace& c, int to) { points.want(c, steps[c] = to); };
+    const auto isRoughOf = [&](const GridPlace& c, float rough) {
         return isRough(points.of(c, steps.at(c)), steps.at(c) + 1, lights, rough);
     };
-    for (const Place& c : reached) steps[c] = 1;
-    for (const Place& c : reached)
+    for (const GridPlace& c : reached) steps[c] = 1;
+    for (const GridPlace& c : reached)
         if (feet.contains(c))
             refine(c, kFine);
         else if (!points.isHidden(c) && (beside.contains(c) || isRoughOf(c, kRough / 2)))
             refine(c, kCoarse);
     points.trace();
-    for (const Place& c : reached)
+    for (const GridPlace& c : reached)
         if (steps.at(c) == kCoarse && isRoughOf(c, kRough)) refine(c, kFine);
     points.trace();
     if (control.cancelled()) return failed("cancelled");
-    for (const Place& c : reached) {
+    for (const GridPlace& c : reached) {
         std::vector<AroundFactors> change = points.of(c, steps.at(c));
         if (out.size() < kMostGroundTiles && hasChange(change, lights))
             out.push_back({{c.second, c.first}, steps.at(c) + 1, std::move(change)});

@@ -1,4 +1,4 @@
-// Directions over a surface, by chance. Does not: draw the chance.
+// Directions: by their angles, and over a surface by chance. Does not: draw the chance.
 #pragma once
 #include <cmath>
 #include <glm/glm.hpp>
@@ -6,6 +6,12 @@
 #include "core/numerics.h"
 
 namespace sward {
+
+// Unit, towards an azimuth (radians from +x towards +z) at the sine of its elevation, in [-1, 1].
+inline glm::vec3 raised(float azimuth, float sine) {
+    const float level = std::sqrt(1 - sine * sine);
+    return {level * std::cos(azimuth), sine, level * std::sin(azimuth)};
+}
 
 // Unit, on the side of n (unit), as likely as its cosine with n: what diffuse light asks for. share, turn: in [0, 1[.
 inline glm::vec3 cosineAround(const glm::vec3& n, float share, float turn) {

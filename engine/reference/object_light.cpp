@@ -25,12 +25,12 @@ namespace sward {
 namespace {
 
 constexpr const char* kOwner = "objects/light";
-constexpr uint32_t kVersion = 12;      // of the method: another one finds other light
-constexpr double kPerM2 = 80;          // points; from one for two vertices of a mesh to two for each,
-constexpr size_t kFewest = 1024;       // and at least so many
-constexpr uint32_t kSeed = 1;          // of the points
-constexpr float kUnreached = 0.01f;    // what a point counts that no light reaches
-constexpr double kGroundsShare = 0.2;  // of the progress
+constexpr uint32_t kAroundVersion = 12;  // of the method: another one finds other light
+constexpr double kPerM2 = 80;            // points; from one for two vertices of a mesh to two for each,
+constexpr size_t kFewest = 1024;         // and at least so many
+constexpr uint32_t kSeed = 1;            // of the points
+constexpr float kUnreached = 0.01f;      // what a point counts that no light reaches
+constexpr double kGroundsShare = 0.2;    // of the progress
 
 // A copy of the project may number its entities otherwise.
 void setEntities(const Project& p, std::vector<TracedObject>& objects) {
@@ -109,7 +109,7 @@ void keep(uint64_t key, const TracedAround& light) {
 }
 
 // Reads what put() has written; `fits` ends where something is missing.
-struct Reading {
+struct AroundReading {
     std::string_view rest;
     bool fits = true;
     template <class T>
@@ -125,14 +125,14 @@ struct Reading {
     }
 };
 
-std::optional<TracedAround> parse(const std::string& bytes, std::string& wrong) {
+std::optional<TracedAround> parseAround(const std::string& bytes, std::string& wrong) {
     uint64_t sum, objects = 0;
     if (bytes.size() < sizeof(sum)) return wrong = "it is truncated", std::nullopt;
     const size_t end = bytes.size() - sizeof(sum);
     std::memcpy(&sum, bytes.data() + end, sizeof(sum));
     if (sum != hashBytes(bytes.data(), end)) return wrong = "it is damaged", std::nullopt;
     TracedAround out;
-    Reading from{std::string_view(bytes).substr(0, end)};
+    AroundReading from{std::string_view(bytes).substr(0, end)};
     for (from.get(&objects); from.fits && objects > 0; --objects) {
         uint64_t count = 0;
         from.get(&count), from.get(out.objects.emplace_back().vertices, count);
@@ -230,7 +230,7 @@ LitBy litBy(const Project& p, double seconds, ScatterMemory& scatters) {
 // Names it by content, over runs of the program.
 uint64_t keyOf(const Project& p, const LitBy& by) {
     Adding add;
-    add(kVersion), add(by.rest), add(sceneTrianglesHash(p));
+    add(kAroundVersion), add(by.rest), add(sceneTrianglesHash(p));
     for (const LitBy::Thing& t : by.things) {
         add.text(t.version);
         add(t.at), add(t.turn), add(t.scale), add(t.lit), add(t.casts);
@@ -258,7 +258,8 @@ struct LightState : EffectState {
 Result<TracedAround> objectLight(const Project& p, const Tables& tables, double seconds, const LitBy& by,
                                  JobControl& control) {
     const uint64_t key = keyOf(p, by);
-    if (auto kept = loadCached(cacheFile(key), uint64_t{1} << 30, "light of objects", parse)) return std::move(*kept);
+    if (auto kept = loadCached(cacheFile(key), uint64_t{1} << 30, "light of objects", parseAround))
+        return std::move(*kept);
     auto traced = traceObjectLight(p, tables, seconds, control);
     if (traced) keep(key, *traced);
     return traced;
@@ -346,7 +347,7 @@ void upload(DrawContext& ctx, LightState& s) {
     uploadGround(ctx, s);
 }
 
-void run(DrawContext& ctx) {
+void traceObjects(DrawContext& ctx) {
     LightState& s = ctx.own<LightState>();
     update(ctx, s);
     upload(ctx, s);
@@ -358,7 +359,7 @@ void run(DrawContext& ctx) {
 }
 
 const System kSystems[] = {
-    {kOwner, {.reads = {Slot::Sun, Slot::SkyLight, Slot::Ground}, .writes = {Slot::ObjectLight}}, run, true}};
+    {kOwner, {.reads = {Slot::Sun, Slot::SkyLight, Slot::Ground}, .writes = {Slot::ObjectLight}}, traceObjects, true}};
 
 }  // namespace
 

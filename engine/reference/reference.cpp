@@ -2,6 +2,7 @@
 
 #include <mutex>
 
+#include "core/luminance.h"
 #include "core/numerics.h"
 #include "grass/drawing.h"
 #include "reference/flower_rays.h"
@@ -38,8 +39,6 @@ glm::vec3 drawnAround(const glm::vec3& n, Dice& dice) {
     const float share = dice.unit();
     return cosineAround(n, share, dice.unit());
 }
-
-float luminance(const glm::vec3& c) { return glm::dot(c, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
 
 }  // namespace
 

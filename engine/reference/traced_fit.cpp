@@ -3,15 +3,11 @@
 #include <functional>
 
 #include "core/numerics.h"
+#include "reference/hemisphere.h"
 #include "reference/traced_light.h"
 
 namespace sward {
 namespace {
-
-glm::vec3 raised(float azimuth, float sine) {
-    const float level = std::sqrt(1 - sine * sine);
-    return {level * std::cos(azimuth), sine, level * std::sin(azimuth)};
-}
 
 // A weighted least-squares fit of N numbers a colour, held near `first` = 1 and the rest 0 where nothing tells them.
 template <size_t N>

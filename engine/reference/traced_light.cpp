@@ -7,6 +7,7 @@
 #include "core/cache_file.h"
 #include "core/hash.h"
 #include "core/log.h"
+#include "core/luminance.h"
 #include "core/numerics.h"
 #include "frame/plan.h"
 #include "grass/drawing.h"
@@ -21,29 +22,24 @@
 namespace sward {
 namespace {
 
-constexpr uint32_t kVersion = 16;  // of the method: another one gives other factors
-constexpr int kRays = 4000;        // that meet a blade, a view
-constexpr int kParts = 16;         // of a view's rays, each with its own sums, so that any number of threads adds alike
-constexpr int kMostBounces = 12;
+constexpr uint32_t kTracedVersion = 16;  // of the method: another one gives other factors
+constexpr int kRaysOfView = 4000;        // that meet a blade, a view
+constexpr int kRayParts = 16;  // of a view's rays, each with its own sums, so that any number of threads adds alike
+constexpr int kMostMeetings = 12;
 constexpr int kSkyPaths = 8;  // from each blade that is seen
 constexpr size_t kOften = 5;  // behind the first meeting light comes from one of so many directions, by chance
-constexpr double kSide = 1000, kSpread = 10, kOff = 2e-5;  // metres: of the lawn; of the part of it that rays are sent
-                                                           // to; by which a path starts off a blade
-struct Dice {
+constexpr double kLawnSide = 1000, kSpread = 10, kOff = 2e-5;  // metres: of the lawn; of the part of it that rays are
+                                                               // sent to; by which a path starts off a blade
+struct PathDice {
     uint32_t seed, next = 0;
     float unit() { return f32::hashUnit(f32::hash2(seed, next++)); }
     uint32_t grain() { return f32::hash2(seed, next++); }
 };
 
-glm::vec3 raised(float azimuth, float sine) {
-    const float level = std::sqrt(1 - sine * sine);
-    return {level * std::cos(azimuth), sine, level * std::sin(azimuth)};
-}
-glm::vec3 drawnAround(const glm::vec3& n, Dice& dice) {
+glm::vec3 aroundByDice(const glm::vec3& n, PathDice& dice) {
     const float share = dice.unit();
     return cosineAround(n, share, dice.unit());
 }
-float luminance(const glm::vec3& c) { return glm::dot(c, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
 
 // The lawn, and how its blades shade each other in local light.
 struct Lawn {
@@ -60,7 +56,7 @@ Result<Lawn> lawnOf(const TracedSpec& spec, bool leaning = false) {
     const Result<Entity> ground = addEntity(lawn.project, "ground"), grass = addEntity(lawn.project, "grass");
     if (!ground || !grass) return failed("the lawn cannot be made");
     Terrain t;
-    t.size = {kSide, kSide};
+    t.size = {kLawnSide, kLawnSide};
     lawn.project.registry.add<Terrain>(*ground, t);
     GrassField f;
     f.cellSize = s.cellSize, f.seed = static_cast<int>(s.seed);
@@ -88,10 +84,10 @@ struct Tracer {
 class Tracers {
   public:
     Tracers(const Lawn& lawn, const GrassRays& rays) : lawn_(lawn), rays_(rays) {}
-    // Calls work(tracer, part) for each of kParts, on all workers.
+    // Calls work(tracer, part) for each of kRayParts, on all workers.
     template <class F>
     void eachPart(const F& work) {
-        parallelFor(kParts, [&](size_t part) {
+        parallelFor(kRayParts, [&](size_t part) {
             std::unique_ptr<Tracer> tracer = take();
             work(*tracer, part);
             const std::lock_guard lock(mutex_);
@@ -113,16 +109,16 @@ class Tracers {
     std::vector<std::unique_ptr<Tracer>> idle_;
 };
 
-Ray from(const Surface& s, const glm::vec3& way, Dice& dice) {
+Ray from(const Surface& s, const glm::vec3& way, PathDice& dice) {
     const double side = glm::dot(s.face, way) < 0 ? -1 : 1;
     return {s.at + glm::dvec3(s.face) * (kOff * side), glm::normalize(glm::dvec3(way)), 0,
             std::numeric_limits<double>::infinity(), dice.grain()};
 }
-// What a blade sends towards one direction of light from another, and what it would if it were grey.
+// What a blade sentBy towards one direction of light from another, and what it would if it were grey.
 struct Sent {
     glm::vec3 own, grey;
 };
-Sent sends(const Surface& s, const glm::vec3& toEye, const glm::vec3& towards) {
+Sent sentBy(const Surface& s, const glm::vec3& toEye, const glm::vec3& towards) {
     const glm::vec3 dull(s.looks.x, 0, s.looks.z);
     return {s.tint * f32::leafSends(s.color, s.looks, s.normal, toEye, towards),
             s.tint * f32::leafSends(glm::vec3(TRACED_GREY), dull, s.normal, toEye, towards)};
@@ -134,12 +130,12 @@ struct Weight {
     Weight& operator*=(float share) { return own *= share, grey *= share, *this; }
 };
 // The next direction of a path, through the blade or off it by chance; weight: what it counts.
-glm::vec3 bounce(const Surface& s, const glm::vec3& toEye, Dice& dice, Weight& weight) {
+glm::vec3 bounce(const Surface& s, const glm::vec3& toEye, PathDice& dice, Weight& weight) {
     const float through = luminance(f32::leafPasses(s.color, s.looks.x)),
                 share = through / std::max(through + luminance(s.color), 1e-6f);
     const bool behind = dice.unit() < share;
-    const glm::vec3 side = behind ? -s.normal : s.normal, towards = drawnAround(side, dice);
-    weight *= sends(s, toEye, towards);
+    const glm::vec3 side = behind ? -s.normal : s.normal, towards = aroundByDice(side, dice);
+    weight *= sentBy(s, toEye, towards);
     weight *= 1 / (std::max(glm::dot(side, towards), 1e-6f) * (behind ? share : 1 - share));
     return towards;
 }
@@ -176,7 +172,7 @@ struct ViewSums {
 void addLocal(const Lawn& lawn, const Surface& s, const glm::vec3& toEye, const Lights& lights, ViewSums& sums) {
     for (size_t i = 0; i < lights.size(); ++i)
         sums.direct[i].local +=
-            glm::dvec3(sends(s, toEye, lights[i]).own * maskPasses(lawn.shade, float(s.at.y), lights[i]));
+            glm::dvec3(sentBy(s, toEye, lights[i]).own * maskPasses(lawn.shade, float(s.at.y), lights[i]));
     const glm::dvec3 sent(s.color * s.tint * s.open);
     sums.sky.local += sent * (0.5 + 0.5 * double(s.normal.y));
     sums.tilt.local = sums.sky.local;
@@ -184,7 +180,7 @@ void addLocal(const Lawn& lawn, const Surface& s, const glm::vec3& toEye, const 
 }
 
 // The next blade of a path; none: it has ended, or left with `weight` along `way`.
-std::optional<Surface> goOn(Tracer& t, const Surface& s, const glm::vec3& toEye, Dice& dice, Weight& weight,
+std::optional<Surface> goOn(Tracer& t, const Surface& s, const glm::vec3& toEye, PathDice& dice, Weight& weight,
                             glm::vec3& way) {
     way = bounce(s, toEye, dice, weight);
     const std::optional<Surface> next = t.rays.closest(from(s, way, dice), t.memory);
@@ -200,18 +196,18 @@ glm::vec3 heightsOf(const Lawn& lawn, const Surface& s) {
     return f32::tracedHeights(static_cast<float>(s.at.y) / std::max(lawn.shade.top, 1e-6f));
 }
 // A path from what was seen on, with light at each blade that it meets.
-void addLights(Tracer& t, Surface s, glm::vec3 toEye, const Lights& lights, Dice& dice, ViewSums& sums) {
+void addLights(Tracer& t, Surface s, glm::vec3 toEye, const Lights& lights, PathDice& dice, ViewSums& sums) {
     Weight weight;
     glm::vec3 way;
     const glm::vec3 heights = heightsOf(t.lawn, s);
     for (int k = 0; k < TRACED_HEIGHTS; ++k)
         sums.reflect[static_cast<size_t>(k)] += glm::dvec3(heights[k] * s.color * s.tint);
-    for (int n = 0; n < kMostBounces; ++n) {
+    for (int n = 0; n < kMostMeetings; ++n) {
         const float albedo = std::max(luminance(s.color + f32::leafPasses(s.color, s.looks.x)), 1e-4f);
         const size_t step = n == 0 ? 1 : kOften, first = n == 0 ? 0 : static_cast<size_t>(dice.unit() * kOften);
         for (size_t i = first; i < lights.size(); i += step) {
             Weight sent = weight;
-            sent *= sends(s, toEye, lights[i]);
+            sent *= sentBy(s, toEye, lights[i]);
             sent *= static_cast<float>(step);
             if (sent.own == glm::vec3(0) || t.rays.blocks(from(s, lights[i], dice), t.memory)) continue;
             sums.direct[i].full += glm::dvec3(sent.own), sums.direct[i].grey += glm::dvec3(sent.grey);
@@ -226,12 +222,12 @@ void addLights(Tracer& t, Surface s, glm::vec3 toEye, const Lights& lights, Dice
     }
 }
 // Paths up to the sky or down to the soil, of which each counts for a share.
-void addSky(Tracer& t, const Surface& seen, const glm::vec3& toSeen, Dice& dice, ViewSums& sums) {
+void addSky(Tracer& t, const Surface& seen, const glm::vec3& toSeen, PathDice& dice, ViewSums& sums) {
     for (int path = 0; path < kSkyPaths; ++path) {
         Surface s = seen;
         glm::vec3 toEye = toSeen, way;
         Weight weight;
-        for (int n = 0; n < kMostBounces; ++n) {
+        for (int n = 0; n < kMostMeetings; ++n) {
             const std::optional<Surface> next = goOn(t, s, toEye, dice, weight, way);
             if (next) {
                 s = *next, toEye = -way;
@@ -258,22 +254,22 @@ glm::dvec3 evenly(uint32_t seed, uint32_t n) {
     return glm::fract(glm::dvec3(first(0), first(1), first(2)) + double(n) * step);
 }
 // The ray of this number, of all parts of a view together.
-uint32_t rayNumber(int part, int n) { return static_cast<uint32_t>(n * kParts + part); }
+uint32_t rayNumber(int part, int n) { return static_cast<uint32_t>(n * kRayParts + part); }
 
 // A ray towards the eye's place over the lawn; none: it met no blade. share: of the part of the lawn that rays are sent
 // to.
-std::optional<Surface> lookDown(Tracer& t, const glm::vec3& toEye, const glm::dvec2& share, Dice& dice) {
+std::optional<Surface> lookDown(Tracer& t, const glm::vec3& toEye, const glm::dvec2& share, PathDice& dice) {
     const double height = static_cast<double>(t.lawn.height);
-    const glm::dvec3 top(0.5 * kSide + kSpread * share.x, height, 0.5 * kSide + kSpread * share.y);
+    const glm::dvec3 top(0.5 * kLawnSide + kSpread * share.x, height, 0.5 * kLawnSide + kSpread * share.y);
     return t.rays.closest({top, -glm::dvec3(toEye), 0, height / double(toEye.y), dice.grain()}, t.memory);
 }
 
-// Rays of a part of a view over grass that leans along x. What each sends counts by the angle of that lean to the eye:
+// Rays of a part of a view over grass that leans along x. What each sentBy counts by the angle of that lean to the eye:
 // eyes stand all around, so that means of it times these terms are the terms' numbers.
 TracedTable::Leaning traceLeaning(Tracer& t, int view, int part, int rays, const JobControl& control) {
     TracedTable::Leaning sums;
     for (int n = 0; n < 8 * rays && sums.met < rays && !control.cancelled(); ++n) {
-        Dice dice{
+        PathDice dice{
             f32::hash3(0x1ea0u + static_cast<uint32_t>(view), static_cast<uint32_t>(part), static_cast<uint32_t>(n))};
         const glm::dvec3 drawn = evenly(static_cast<uint32_t>(view), rayNumber(part, n));
         const float azimuth = f32::kTau * float(drawn.z);
@@ -299,7 +295,7 @@ TracedTable::Leaning traceLeaning(Tracer& t, int view, int part, int rays, const
 ViewSums traceView(Tracer& t, int view, int part, int rays, const JobControl& control) {
     ViewSums sums;
     for (int n = 0; n < 8 * rays && sums.met < rays && !control.cancelled(); ++n) {
-        Dice dice{f32::hash3(static_cast<uint32_t>(view), static_cast<uint32_t>(part), static_cast<uint32_t>(n))};
+        PathDice dice{f32::hash3(static_cast<uint32_t>(view), static_cast<uint32_t>(part), static_cast<uint32_t>(n))};
         const glm::dvec3 drawn = evenly(static_cast<uint32_t>(view), rayNumber(part, n));
         const float azimuth = f32::kTau * float(drawn.z);
         const glm::vec3 toEye = raised(azimuth, kViewSines[view]);
@@ -325,10 +321,10 @@ SoilSums traceSoil(Tracer& t, int part, int rays, const JobControl& control) {
     SoilSums sums;
     sums.rays = rays;
     for (int n = 0; n < rays && !control.cancelled(); ++n) {
-        Dice dice{f32::hash3(0x5011u, static_cast<uint32_t>(part), static_cast<uint32_t>(n))};
+        PathDice dice{f32::hash3(0x5011u, static_cast<uint32_t>(part), static_cast<uint32_t>(n))};
         const glm::dvec3 drawn = evenly(0x5011u, rayNumber(part, n));
-        const glm::dvec3 at(0.5 * kSide + kSpread * drawn.x, 1e-4, 0.5 * kSide + kSpread * drawn.y);
-        const glm::vec3 way = drawnAround({0, 1, 0}, dice);
+        const glm::dvec3 at(0.5 * kLawnSide + kSpread * drawn.x, 1e-4, 0.5 * kLawnSide + kSpread * drawn.y);
+        const glm::vec3 way = aroundByDice({0, 1, 0}, dice);
         const std::optional<Surface> s =
             t.rays.closest({at, glm::dvec3(way), 0, std::numeric_limits<double>::infinity(), dice.grain()}, t.memory);
         if (s) {
@@ -339,7 +335,6 @@ SoilSums traceSoil(Tracer& t, int part, int rays, const JobControl& control) {
     }
     return sums;
 }
-double luminance(const glm::dvec3& c) { return glm::dot(c, glm::dvec3(0.2126, 0.7152, 0.0722)); }
 void tellSoil(const SoilSums& sums, TracedTable& table) {
     table.soilSky = (sums.open + luminance(sums.met.sky.full)) / std::max(sums.rays, 1);
     table.soilTilt = (sums.openTilt + luminance(sums.met.tilt.full)) / std::max(sums.rays, 1);
@@ -359,7 +354,7 @@ std::filesystem::path tracedFile(const std::filesystem::path& folder, uint64_t k
     return folder / "traced" / (hashHex(key) + ".traced");
 }
 size_t bytesOf(bool leaning) { return leaning ? sizeof(TracedLight) : offsetof(TracedLight, leaning); }
-std::optional<TracedLight> parse(const std::string& bytes, std::string& wrong) {
+std::optional<TracedLight> parseTraced(const std::string& bytes, std::string& wrong) {
     uint64_t sum;
     const size_t size = bytes.size() - std::min(bytes.size(), sizeof(sum));
     if (size != bytesOf(false) && size != bytesOf(true)) return wrong = "it is truncated", std::nullopt;
@@ -403,7 +398,7 @@ void updateTraced(DrawContext& ctx, TracedState::One& one, const FieldEntity& fi
                                 [spec](JobControl& c) { return tracedLight(cacheDir(), spec, c); });
 }
 
-void update(DrawContext& ctx) {
+void updateAllTraced(DrawContext& ctx) {
     TracedState& state = ctx.own<TracedState>();
     std::map<std::string, std::vector<TracedState::One>> now;
     for (const auto& [name, field] : fieldsOf(ctx.project)) {
@@ -419,7 +414,8 @@ void update(DrawContext& ctx) {
     ctx.shared.traced = &state;
 }
 
-const System kSystems[] = {{"grass/traced", {.reads = {Slot::SkyLight}, .writes = {Slot::Traced}}, update, true}};
+const System kSystems[] = {
+    {"grass/traced", {.reads = {Slot::SkyLight}, .writes = {Slot::Traced}}, updateAllTraced, true}};
 
 }  // namespace
 
@@ -432,7 +428,7 @@ uint64_t tracedKey(const TracedSpec& spec) {
     SliceSpec s = spec.species;
     s.slices = s.width = s.height = s.farSize = 0;
     const Species& p = s.species;
-    const float read[] = {static_cast<float>(kVersion),
+    const float read[] = {static_cast<float>(kTracedVersion),
                           spec.leans ? 1.0f : 0.0f,
                           p.translucency,
                           p.gloss,
@@ -450,12 +446,12 @@ Result<void> traceLeans(const TracedSpec& spec, int rays, JobControl& control, T
     if (!lawn) return lawn.error();
     const Result<GrassRays> grass = GrassRays::make(lawn->project, 0, control);
     if (!grass) return grass.error();
-    std::array<std::array<TracedTable::Leaning, kTracedViews>, kParts> sums;
+    std::array<std::array<TracedTable::Leaning, kTracedViews>, kRayParts> sums;
     Tracers tracers(*lawn, *grass);
     tracers.eachPart([&](Tracer& t, size_t part) {
         for (int view = 0; view < kTracedViews; ++view)
             sums[part][static_cast<size_t>(view)] =
-                traceLeaning(t, view, static_cast<int>(part), std::max(rays / kParts, 1), control);
+                traceLeaning(t, view, static_cast<int>(part), std::max(rays / kRayParts, 1), control);
     });
     if (control.cancelled()) return failed("cancelled");
     for (size_t view = 0; view < kTracedViews; ++view)
@@ -477,28 +473,28 @@ Result<TracedTable> traceTable(const TracedSpec& spec, int rays, JobControl& con
     if (!lawn) return lawn.error();
     const Result<GrassRays> grass = GrassRays::make(lawn->project, 0, control);
     if (!grass) return grass.error();
-    std::array<SoilSums, kParts> soil;
+    std::array<SoilSums, kRayParts> soil;
     Tracers tracers(*lawn, *grass);
     tracers.eachPart([&](Tracer& t, size_t part) {
-        soil[part] = traceSoil(t, static_cast<int>(part), std::max(rays / kParts, 1), control);
+        soil[part] = traceSoil(t, static_cast<int>(part), std::max(rays / kRayParts, 1), control);
     });
     TracedTable table;
-    for (size_t part = 1; part < kParts; ++part) soil[0].add(soil[part]);
+    for (size_t part = 1; part < kRayParts; ++part) soil[0].add(soil[part]);
     tellSoil(soil[0], table);
     lawn->soilOpen = static_cast<float>(table.soilSky);
-    std::array<ViewSums, kParts * kTracedViews> sums;
+    std::array<ViewSums, kRayParts * kTracedViews> sums;
     std::atomic<int> done = 0;
     tracers.eachPart([&](Tracer& t, size_t part) {
         for (int view = 0; view < kTracedViews; ++view) {
             sums[part * kTracedViews + static_cast<size_t>(view)] =
-                traceView(t, view, static_cast<int>(part), std::max(rays / kParts, 1), control);
+                traceView(t, view, static_cast<int>(part), std::max(rays / kRayParts, 1), control);
             control.setProgress(static_cast<double>(++done) / static_cast<double>(sums.size()));
         }
     });
     if (control.cancelled()) return failed("cancelled");
     for (size_t view = 0; view < kTracedViews; ++view) {
         ViewSums all;
-        for (size_t part = 0; part < kParts; ++part) all.add(sums[part * kTracedViews + view]);
+        for (size_t part = 0; part < kRayParts; ++part) all.add(sums[part * kTracedViews + view]);
         table.met[view] = all.met;
         table.direct[view] = all.direct, table.reflect[view] = all.reflect;
         for (size_t i = 0; i < kTracedLights; ++i)
@@ -513,8 +509,8 @@ Result<TracedTable> traceTable(const TracedSpec& spec, int rays, JobControl& con
 
 Result<TracedLight> tracedLight(const std::filesystem::path& folder, const TracedSpec& spec, JobControl& control) {
     const std::filesystem::path file = tracedFile(folder, tracedKey(spec));
-    if (auto kept = loadCached(file, 1 << 16, "traced light", parse)) return *kept;
-    const Result<TracedTable> table = traceTable(spec, kRays, control);
+    if (auto kept = loadCached(file, 1 << 16, "traced light", parseTraced)) return *kept;
+    const Result<TracedTable> table = traceTable(spec, kRaysOfView, control);
     if (!table) return table.error();
     const TracedLight light = fitTraced(*table);
     keep(file, light);

@@ -23,7 +23,7 @@ constexpr FieldRow kFields[] = {
          "how different the grass may look, whichever blade stands where (docs/accuracy.md)"),
 };
 
-void check(const Registry& r, Entity e, const std::string& path, std::vector<ComponentFault>& faults) {
+void checkPicture(const Registry& r, Entity e, const std::string& path, std::vector<ComponentFault>& faults) {
     if (!r.get<Camera>(e))
         faults.push_back(
             {"file", path + ".file: its entity has no Camera: no picture is taken; add one, or remove " + path, true});
@@ -36,7 +36,7 @@ const ComponentRow& acceptedPictureRow() {
         ComponentRow made =
             componentRow<A>("AcceptedPicture", "The picture of this camera as accepted: a test of the project.",
                             kFields, [](const void*) { return FeatureSet{}; });
-        made.check = check;
+        made.check = checkPicture;
         return made;
     }();
     return row;

@@ -46,6 +46,10 @@ inline constexpr const char* kAdvanced = "Advanced";
 constexpr FieldRow real(const char* name, size_t offset, const char* unit, Range r, const char* help) {
     return number(FieldType::Float, name, offset, unit, r, help);
 }
+// Two floats, most often from and to.
+constexpr FieldRow twoReals(const char* name, size_t offset, const char* unit, Range r, const char* help) {
+    return number(FieldType::Vec2, name, offset, unit, r, help);
+}
 // A float in metres that may be infinite.
 constexpr FieldRow distance(const char* name, size_t offset, Range r, const char* help) {
     FieldRow row = real(name, offset, "m", r, help);

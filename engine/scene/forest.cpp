@@ -11,10 +11,7 @@ namespace {
 
 bool isGrown(const void* species) { return static_cast<const TreeSpecies*>(species)->file.empty(); }
 
-constexpr FieldRow range(const char* name, size_t offset, const char* unit, Range r, const char* help) {
-    return number(FieldType::Vec2, name, offset, unit, r, help);
-}
-constexpr FieldRow kSpeciesFields[] = {
+constexpr FieldRow kTreeSpeciesFields[] = {
     text("name", offsetof(TreeSpecies, name), "what these trees are called"),
     where(isGrown, choice("kind", &TreeSpecies::kind, offsetof(TreeSpecies, kind), kTreeKinds,
                           "what is grown: conifer, broadleaf or birch")),
@@ -29,31 +26,32 @@ constexpr FieldRow kSpeciesFields[] = {
     where(isGrown, color("barkColor", offsetof(TreeSpecies, barkColor), kReflectance, "of bark: share of light")),
     real("translucency", offsetof(TreeSpecies, translucency), "", {0, 1, 0, 1},
          "light that shines through leaves, as a share of what is reflected; bark lets none through"),
-    range("size", offsetof(TreeSpecies, size), "", {0.05, 10, 0.3, 2}, "factor of the height, from and to"),
+    twoReals("size", offsetof(TreeSpecies, size), "", {0.05, 10, 0.3, 2}, "factor of the height, from and to"),
     where(isGrown,
           whole("seed", offsetof(TreeSpecies, seed), "", {0, 2147483647, 0, 1000}, "another number: another tree")),
 };
-constexpr ListRow kSpeciesList = listRow<TreeSpecies>(kSpeciesFields);
-constexpr FieldRow kTiling1 =
+constexpr ListRow kTreeSpeciesList = listRow<TreeSpecies>(kTreeSpeciesFields);
+constexpr FieldRow kForestTiling =
     tiling("densityTiling", offsetof(Forest, densityTiling), "repeats of the density map over the terrain's mapSize");
-constexpr MapRow kDensity{.role = MapRole::Density, .texelsPerMetre = 1, .tiling = &kTiling1};
+constexpr MapRow kForestDensity{.role = MapRole::Density, .texelsPerMetre = 1, .tiling = &kForestTiling};
 constexpr FieldRow kPlacedFields[] = {
     text("name", offsetof(PlacedTree, name), "what this tree is called"),
     whole("species", offsetof(PlacedTree, species), "", {0, 63, 0, 8}, "number of the kind of tree, from 0"),
-    range("at", offsetof(PlacedTree, at), "m", {-1e6, 1e6, 0, 1000}, "x and z from the terrain's corner"),
+    twoReals("at", offsetof(PlacedTree, at), "m", {-1e6, 1e6, 0, 1000}, "x and z from the terrain's corner"),
     real("size", offsetof(PlacedTree, size), "", {0.05, 10, 0.3, 2}, "factor of the height"),
     real("headingDeg", offsetof(PlacedTree, headingDeg), "deg", {-360, 360, -180, 180}, "turn about the upright"),
 };
 constexpr ListRow kPlacedList = listRow<PlacedTree>(kPlacedFields);
 constexpr FieldRow kFields[] = {
-    under("Where it grows", listOf("species", offsetof(Forest, species), &kSpeciesList, "the kinds of trees")),
+    under("Where it grows", listOf("species", offsetof(Forest, species), &kTreeSpeciesList, "the kinds of trees")),
     listOf("placed", offsetof(Forest, placed), &kPlacedList, "single trees, placed by hand"),
     real("perHectare", offsetof(Forest, perHectare), "1/ha", {0, 1e5, 0, 1500},
          "trees on 10,000 square metres at density 1; 0: none"),
     real("distance", offsetof(Forest, distance), "m", {0.1, 100, 1, 10}, "between two trunks at least"),
-    map("density", offsetof(Forest, density), &kDensity, "where trees stand: share of perHectare; none: everywhere"),
-    kTiling1,
-    range("slopeDeg", offsetof(Forest, slopeDeg), "deg", {0, 90, 0, 90}, "slopes of the ground on which they stand"),
+    map("density", offsetof(Forest, density), &kForestDensity,
+        "where trees stand: share of perHectare; none: everywhere"),
+    kForestTiling,
+    twoReals("slopeDeg", offsetof(Forest, slopeDeg), "deg", {0, 90, 0, 90}, "slopes of the ground on which they stand"),
     real("tileSize", offsetof(Forest, tileSize), "m", {2, 500, 8, 40},
          "edge of the triangles that hold the trees; a larger one holds more different places"),
     choice(
@@ -81,7 +79,7 @@ constexpr FieldRow kFields[] = {
     under("Light", flag("castShadows", offsetof(Forest, castShadows), "near trees shade the ground and the grass")),
 };
 
-FeatureSet featuresOf(const void* component) {
+FeatureSet featuresOfForest(const void* component) {
     const auto& f = *static_cast<const Forest*>(component);
     if (!grows(f)) return {};
     FeatureSet s = featureSet(Feature::Forest);
@@ -93,7 +91,7 @@ FeatureSet featuresOf(const void* component) {
     return s;
 }
 
-std::vector<std::string> repair(void* component) {
+std::vector<std::string> repairForest(void* component) {
     auto& f = *static_cast<Forest*>(component);
     std::vector<std::string> said;
     const auto order = [&](glm::dvec2& r, const std::string& name) {
@@ -106,7 +104,7 @@ std::vector<std::string> repair(void* component) {
     return said;
 }
 
-void check(const Registry& registry, Entity e, const std::string& path, std::vector<ComponentFault>& faults) {
+void checkForest(const Registry& registry, Entity e, const std::string& path, std::vector<ComponentFault>& faults) {
     const Forest& f = *registry.get<Forest>(e);
     const auto tell = [&](const char* field, const std::string& what, bool without = false) {
         faults.push_back({std::string("Forest.") + field, fmt::format("{}.{}: {}", path, field, what), without});
@@ -139,9 +137,10 @@ bool grows(const Forest& f) {
 
 const ComponentRow& forestRow() {
     static const ComponentRow row = [] {
-        ComponentRow r = componentRow<Forest>("Forest", "A forest of trees over the terrain.", kFields, featuresOf);
-        r.repair = repair;
-        r.check = check;
+        ComponentRow r =
+            componentRow<Forest>("Forest", "A forest of trees over the terrain.", kFields, featuresOfForest);
+        r.repair = repairForest;
+        r.check = checkForest;
         r.readByTruth = true;
         return r;
     }();

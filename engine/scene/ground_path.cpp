@@ -138,7 +138,7 @@ constexpr FieldRow kFields[] = {
           listOf("points", offsetof(GroundPath, points), &kPointList, "places that the path passes, in order")),
 };
 
-void check(const Registry& registry, Entity e, const std::string& path, std::vector<ComponentFault>& out) {
+void checkPath(const Registry& registry, Entity e, const std::string& path, std::vector<ComponentFault>& out) {
     const size_t knots = knotsOf(*registry.get<GroundPath>(e)).size();
     if (knots == 0)
         out.push_back({"points",
@@ -154,7 +154,7 @@ void check(const Registry& registry, Entity e, const std::string& path, std::vec
 ComponentRow groundPathRow() {
     ComponentRow row = componentRow<GroundPath>("GroundPath", "A path over the ground: what grows there gives way.",
                                                 kFields, [](const void*) { return FeatureSet{}; });
-    row.check = check;
+    row.check = checkPath;
     return row;
 }
 

@@ -14,27 +14,26 @@ constexpr FieldRow kMeshFields[] = {
     real("share", offsetof(ScatterMesh, share), "", {0, 1e6, 0, 1}, "how many of all are this one, against the others"),
 };
 constexpr ListRow kMeshList = listRow<ScatterMesh>(kMeshFields);
-constexpr FieldRow kTiling1 =
+constexpr FieldRow kScatterTiling =
     tiling("densityTiling", offsetof(Scatter, densityTiling), "repeats of the density map over the terrain's mapSize");
-constexpr MapRow kDensity{.role = MapRole::Density, .texelsPerMetre = 4, .tiling = &kTiling1};
+constexpr MapRow kScatterDensity{.role = MapRole::Density, .texelsPerMetre = 4, .tiling = &kScatterTiling};
 
-constexpr FieldRow range(const char* name, size_t offset, const char* unit, Range r, const char* help) {
-    return number(FieldType::Vec2, name, offset, unit, r, help);
-}
 constexpr FieldRow kFields[] = {
     listOf("meshes", offsetof(Scatter, meshes), &kMeshList, "what stands there"),
     real("perHectare", offsetof(Scatter, perHectare), "1/ha", {0, 1e6, 0, 2000},
          "objects on 10,000 square metres at density 1; 0: none"),
-    map("density", offsetof(Scatter, density), &kDensity, "where they stand: share of perHectare; none: everywhere"),
-    kTiling1,
+    map("density", offsetof(Scatter, density), &kScatterDensity,
+        "where they stand: share of perHectare; none: everywhere"),
+    kScatterTiling,
     real("distance", offsetof(Scatter, distance), "m", {0, 1000, 0, 20},
          "between two of them at least, from middle to middle"),
-    range("slopeDeg", offsetof(Scatter, slopeDeg), "deg", {0, 90, 0, 90}, "slopes of the ground on which they stand"),
-    range("heights", offsetof(Scatter, heights), "m", {-1e5, 1e5, -100, 1000},
-          "heights of the ground between which they stand"),
-    range("size", offsetof(Scatter, size), "", {0.001, 1000, 0.1, 5}, "factor of their size, from and to"),
-    range("headingDeg", offsetof(Scatter, headingDeg), "deg", {-360, 360, -180, 180},
-          "turn about the upright, from and to"),
+    twoReals("slopeDeg", offsetof(Scatter, slopeDeg), "deg", {0, 90, 0, 90},
+             "slopes of the ground on which they stand"),
+    twoReals("heights", offsetof(Scatter, heights), "m", {-1e5, 1e5, -100, 1000},
+             "heights of the ground between which they stand"),
+    twoReals("size", offsetof(Scatter, size), "", {0.001, 1000, 0.1, 5}, "factor of their size, from and to"),
+    twoReals("headingDeg", offsetof(Scatter, headingDeg), "deg", {-360, 360, -180, 180},
+             "turn about the upright, from and to"),
     real("alignToGround", offsetof(Scatter, alignToGround), "", kShare,
          "0: they stand upright; 1: as the ground leans"),
     flag("keepOffPaths", offsetof(Scatter, keepOffPaths), "none stands on a path"),
@@ -47,14 +46,14 @@ constexpr FieldRow kFields[] = {
     whole("seed", offsetof(Scatter, seed), "", {0, 2147483647, 0, 1000}, "another number: other places"),
 };
 
-FeatureSet featuresOf(const void* component) {
+FeatureSet featuresOfScatter(const void* component) {
     const auto& s = *static_cast<const Scatter*>(component);
     if (!scatters(s)) return {};
     const FeatureSet all = featureSet(Feature::Scatter);
     return s.castShadows ? all | featureSet(Feature::ObjectShadows, Feature::LampShadows) : all;
 }
 
-std::vector<std::string> repair(void* component) {
+std::vector<std::string> repairScatter(void* component) {
     auto& s = *static_cast<Scatter*>(component);
     std::vector<std::string> said;
     const auto order = [&](glm::dvec2& r, const char* name) {
@@ -67,7 +66,7 @@ std::vector<std::string> repair(void* component) {
     return said;
 }
 
-void check(const Registry& registry, Entity e, const std::string& path, std::vector<ComponentFault>& faults) {
+void checkScatter(const Registry& registry, Entity e, const std::string& path, std::vector<ComponentFault>& faults) {
     const Scatter& s = *registry.get<Scatter>(e);
     const auto tell = [&](const char* field, const std::string& what, bool without = false) {
         faults.push_back({std::string("Scatter.") + field, fmt::format("{}.{}: {}", path, field, what), without});
@@ -104,10 +103,10 @@ bool scatters(const Scatter& s) {
 
 const ComponentRow& scatterRow() {
     static const ComponentRow row = [] {
-        ComponentRow r =
-            componentRow<Scatter>("Scatter", "Objects scattered over the terrain by a rule.", kFields, featuresOf);
-        r.repair = repair;
-        r.check = check;
+        ComponentRow r = componentRow<Scatter>("Scatter", "Objects scattered over the terrain by a rule.", kFields,
+                                               featuresOfScatter);
+        r.repair = repairScatter;
+        r.check = checkScatter;
         return r;
     }();
     return row;

@@ -21,7 +21,7 @@ void upload(Gpu& gpu, Texture& texture, const AirTable& table) {
 }
 
 // For the whole frame: nothing else uses the bindings.
-void run(DrawContext& ctx) {
+void makeAir(DrawContext& ctx) {
     AtmosphereState& s = ctx.own<AtmosphereState>();
     addAir(ctx.globals, ctx.project, ctx.settings.time, s.tables);
     ctx.shared.air = &s.tables;
@@ -35,7 +35,7 @@ void run(DrawContext& ctx) {
     glBindTextures(TEX_SKY, 2, textures);
 }
 
-const System kSystems[] = {{kOwner, {.reads = {Slot::Haze}, .writes = {Slot::Haze, Slot::Air}}, run, true}};
+const System kSystems[] = {{kOwner, {.reads = {Slot::Haze}, .writes = {Slot::Haze, Slot::Air}}, makeAir, true}};
 
 }  // namespace
 

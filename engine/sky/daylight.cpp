@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "core/luminance.h"
 #include "core/numerics.h"
 #include "scene/project.h"
 #include "sky/air_tables.h"
@@ -116,9 +117,9 @@ void integrateSky(SkySums& s, const glm::vec3& sun, float turbidity, const AirTa
 
 // A camera's white balance: as far (a share) of the way to making white ground look white. Luminance is kept.
 glm::vec3 whiteBalance(const glm::vec3& onGround, float share) {
-    const float luminance = glm::dot(onGround, glm::vec3(0.2126f, 0.7152f, 0.0722f));
-    if (!(luminance > 0)) return glm::vec3(1);
-    return glm::pow(glm::vec3(luminance) / glm::max(onGround, glm::vec3(1e-4f * luminance)), glm::vec3(share));
+    const float bright = luminance(onGround);
+    if (!(bright > 0)) return glm::vec3(1);
+    return glm::pow(glm::vec3(bright) / glm::max(onGround, glm::vec3(1e-4f * bright)), glm::vec3(share));
 }
 // Three quarters; in air, where the sun sinks through ten degrees, down to what keeps the blue hour blue.
 float balanceShare(bool inAir, float sunUp) {

@@ -61,12 +61,12 @@ void makeMesh(Gpu& gpu, GroundState& s) {
     glVertexArrayAttribFormat(s.mesh.id(), 0, 2, GL_UNSIGNED_BYTE, GL_FALSE, 0);
 }
 
-std::unique_ptr<EffectState> makeState(DrawContext& ctx) {
+std::unique_ptr<EffectState> makeGroundState(DrawContext& ctx) {
     auto s = std::make_unique<GroundState>();
     makeMesh(ctx.gpu, *s);
     return s;
 }
-std::unique_ptr<EffectState> makeView(DrawContext& ctx) {
+std::unique_ptr<EffectState> makeGroundView(DrawContext& ctx) {
     auto s = std::make_unique<GroundView>();
     s->nodes = makeRoom(ctx.gpu, kOwner);
     return s;
@@ -92,7 +92,7 @@ void bindMaps(DrawContext& ctx, const GroundState& s, const Terrain& t) {
 }
 
 // What is the same for every eye.
-void prepare(DrawContext& ctx) {
+void prepareGround(DrawContext& ctx) {
     GroundState& s = ctx.own<GroundState>();
     const Terrain& t = *ctx.shared.ground.terrain;
     updateHeightBounds(ctx.shared.bounds, t);
@@ -114,7 +114,7 @@ void prepare(DrawContext& ctx) {
     bindMaps(ctx, s, t);
 }
 
-void select(DrawContext& ctx) {
+void selectGround(DrawContext& ctx) {
     const GroundState& s = ctx.own<GroundState>();
     GroundView& view = ctx.ofView<GroundView>();
     const Terrain& t = *ctx.shared.ground.terrain;
@@ -162,7 +162,7 @@ void drawDepth(DrawContext& ctx) {
 }
 
 // Where the ground is seen, the stencil says so, if there is one: blades' shadows lie there alone.
-void draw(DrawContext& ctx) {
+void drawGround(DrawContext& ctx) {
     if (ctx.shared.groundMesh.land.empty() || !ctx.use(0, ctx.shared.soil.constants)) return;
     bindSoil(ctx.shared.soil);
     if (ctx.targets.stencil) {
@@ -175,8 +175,8 @@ void draw(DrawContext& ctx) {
 }
 
 const System kSystems[] = {
-    {"terrain/maps", {.writes = {Slot::Ground}}, prepare, true},
-    {"terrain/select", {.reads = {Slot::Ground, Slot::Haze}, .writes = {Slot::GroundNodes}}, select}};
+    {"terrain/maps", {.writes = {Slot::Ground}}, prepareGround, true},
+    {"terrain/select", {.reads = {Slot::Ground, Slot::Haze}, .writes = {Slot::GroundNodes}}, selectGround}};
 const ProgramRow kDepthPrograms[] = {{"terrain/depth", "terrain/ground.vert.glsl", nullptr, nullptr}};
 const ProgramRow kPrograms[] = {
     {"terrain/ground", "terrain/ground.vert.glsl", "terrain/ground.frag.glsl", nullptr, soilVariants}};
@@ -192,13 +192,13 @@ const Pass kPasses[] = {{"terrain/ground",
                          {.reads = {Slot::GroundNodes, Slot::Grass, Slot::Shadows, Slot::ObjectLight},
                           .appends = {Slot::SceneColor, Slot::SceneDepth}},
                          kPrograms,
-                         draw}};
+                         drawGround}};
 
 }  // namespace
 
 const EffectRow& groundEffect() {
-    static const EffectRow row{"terrain/ground", featureSet(Feature::Terrain),  kSystems, kPasses,
-                               makeState,        "there is ground to stand on", makeView};
+    static const EffectRow row{"terrain/ground", featureSet(Feature::Terrain),  kSystems,      kPasses,
+                               makeGroundState,  "there is ground to stand on", makeGroundView};
     return row;
 }
 const EffectRow& groundDepthEffect() {

@@ -262,7 +262,7 @@ GridPart updateHeights(ShadeState& s, const Terrain& t) {
     return {};
 }
 
-void shade(DrawContext& ctx) {
+void drawShade(DrawContext& ctx) {
     ShadeState& s = ctx.own<ShadeState>();
     const glm::vec3 sun = ctx.globals.sunDirection;
     if (ctx.globals.sunIsUp <= 0) return;
@@ -284,7 +284,7 @@ void shade(DrawContext& ctx) {
     glBindTextureUnit(TEX_SHADE, s.texture.id());
 }
 
-const System kSystems[] = {{"terrain/shade", {.reads = {Slot::Sun}, .appends = {Slot::Shadows}}, shade, true}};
+const System kSystems[] = {{"terrain/shade", {.reads = {Slot::Sun}, .appends = {Slot::Shadows}}, drawShade, true}};
 
 }  // namespace
 

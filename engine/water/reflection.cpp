@@ -9,12 +9,12 @@ namespace sward {
 namespace {
 
 constexpr const char* kOwner = "water/reflection";
-constexpr float kMargin = 0.08f;    // of the picture beyond each edge, for ripples that look there
-constexpr float kAround = 0.15f;    // of the picture about what is seen of a water, for ripples along its shore
-constexpr float kUnder = 0.04f;     // metres below the level at which the view is cut: no gap shows along the shore
-constexpr float kBlades = 0.35f;    // share of the blades that is drawn where blades are; each is wider
-constexpr size_t kMostMirrors = 8;  // waters that are mirrored at a time: those that take most of the picture
-constexpr int kSteps = 16;          // each way: parts begin and end at such a share of a whole picture
+constexpr float kMargin = 0.08f;        // of the picture beyond each edge, for ripples that look there
+constexpr float kAroundMirror = 0.15f;  // of the picture about what is seen of a water, for ripples along its shore
+constexpr float kUnder = 0.04f;         // metres below the level at which the view is cut: no gap shows along the shore
+constexpr float kMirroredBlades = 0.35f;  // share of the blades that is drawn where blades are; each is wider
+constexpr size_t kMostMirrors = 8;        // waters that are mirrored at a time: those that take most of the picture
+constexpr int kMirrorSteps = 16;          // each way: parts begin and end at such a share of a whole picture
 
 struct ReflectionState : EffectState {
     std::vector<ViewTargets> targets;  // by mirror
@@ -52,11 +52,12 @@ std::optional<glm::vec4> onScreen(const DrawContext& ctx, const glm::vec4& squar
 // Of pixels of the whole picture those from a to b (clip units), in whole steps.
 glm::ivec2 steps(float a, float b, int whole) {
     const float shown = 1 / (1 + 2 * kMargin);
-    const int step = (whole + kSteps - 1) / kSteps;
+    const int step = (whole + kMirrorSteps - 1) / kMirrorSteps;
     const auto pixel = [&](float clip) { return (0.5f + 0.5f * shown * clip) * static_cast<float>(whole); };
-    return {
-        std::clamp(static_cast<int>(std::floor(pixel(a - 2 * kAround) / static_cast<float>(step))) * step, 0, whole),
-        std::clamp(static_cast<int>(std::ceil(pixel(b + 2 * kAround) / static_cast<float>(step))) * step, 0, whole)};
+    return {std::clamp(static_cast<int>(std::floor(pixel(a - 2 * kAroundMirror) / static_cast<float>(step))) * step, 0,
+                       whole),
+            std::clamp(static_cast<int>(std::ceil(pixel(b + 2 * kAroundMirror) / static_cast<float>(step))) * step, 0,
+                       whole)};
 }
 
 std::optional<Mirror> mirrorOf(DrawContext& ctx, const WaterPlace& place, size_t number) {
@@ -133,7 +134,7 @@ ViewRequest requestOf(const DrawContext& ctx, const Mirror& m, ViewTargets& targ
                        static_cast<int>(std::lround(static_cast<float>(wholeHeight(ctx.settings) * m.whole.y) * shown /
                                                     static_cast<float>(ctx.targets.height)))};
     r.settings.coarse = true;
-    r.settings.detail = ctx.settings.detail * kBlades;
+    r.settings.detail = ctx.settings.detail * kMirroredBlades;
     r.settings.decal = {};
     r.targets = &targets;
     return r;

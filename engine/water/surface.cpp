@@ -19,7 +19,7 @@ struct SurfaceView : EffectState {
     std::vector<Seen> waters;  // in the order of watersOf
 };
 
-void update(DrawContext& ctx) {
+void updateSurface(DrawContext& ctx) {
     SurfaceView& s = ctx.ofView<SurfaceView>();
     const std::vector<WaterPlace> places = watersOf(ctx.project, ctx.shared.ground);
     s.waters.resize(places.size());
@@ -39,7 +39,7 @@ void update(DrawContext& ctx) {
     }
 }
 
-void draw(DrawContext& ctx) {
+void drawSurface(DrawContext& ctx) {
     const SurfaceView& s = ctx.ofView<SurfaceView>();
     const bool any = std::any_of(s.waters.begin(), s.waters.end(), [](const auto& w) { return w.inView; });
     if (ctx.settings.mode != ViewMode::Final || !ctx.use(0, depthConstants(ctx.targets)) || !any) return;
@@ -57,7 +57,7 @@ void draw(DrawContext& ctx) {
     endDimming();
 }
 
-const System kSystems[] = {{"water/ripples", {.reads = {Slot::Ground, Slot::Reflection}}, update}};
+const System kSystems[] = {{"water/ripples", {.reads = {Slot::Ground, Slot::Reflection}}, updateSurface}};
 const ProgramRow kPrograms[] = {
     {"water/surface", "water/surface.vert.glsl", "water/surface.frag.glsl", nullptr, depthVariants}};
 const Pass kPasses[] = {{"water/surface",
@@ -65,7 +65,7 @@ const Pass kPasses[] = {{"water/surface",
                          kViewMain,
                          {.reads = {Slot::SceneDepth, Slot::Reflection, Slot::Shadows}, .appends = {Slot::SceneColor}},
                          kPrograms,
-                         draw}};
+                         drawSurface}};
 
 }  // namespace
 
