@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <mutex>
 
 #include "core/jobs.h"
 #include "core/numerics.h"
@@ -188,6 +189,45 @@ void airAlongRay(AirTables& t, const Air& air, int x) {
     }
 }
 
+// How many of a scene's tables, as they are made one from another (scattered, sky, between), hold for another asked
+// for.
+constexpr int kAllTables = 3;
+int sharedWith(const AirTables& t, float turbidity, float sunUp, float haze) {
+    if (t.turbidity != turbidity) return 0;
+    if (t.sunUp != sunUp) return 1;
+    return t.haze == haze ? kAllTables : 2;
+}
+// The latest that were made in this process: drawing, the truth, each row of a sweep and a project opened anew ask for
+// the same air. 1 MB.
+struct LatestAir {
+    static constexpr size_t kMost = 4;
+    std::mutex lock;
+    std::vector<AirTables> tables;
+};
+LatestAir& latestAir() {
+    static LatestAir latest;
+    return latest;
+}
+// Those of the latest that save most; none save less than t's own.
+void takeLatest(AirTables& t, float turbidity, float sunUp, float haze) {
+    LatestAir& latest = latestAir();
+    const std::lock_guard hold(latest.lock);
+    const AirTables* best = t.columns.values.empty() ? nullptr : &t;
+    for (const AirTables& other : latest.tables)
+        if (!best || sharedWith(other, turbidity, sunUp, haze) > sharedWith(*best, turbidity, sunUp, haze))
+            best = &other;
+    if (!best || best == &t) return;
+    const unsigned changes = t.changes + 1;
+    t = *best;
+    t.changes = changes;
+}
+void keepLatest(const AirTables& t) {
+    LatestAir& latest = latestAir();
+    const std::lock_guard hold(latest.lock);
+    if (latest.tables.size() == LatestAir::kMost) latest.tables.erase(latest.tables.begin());
+    latest.tables.push_back(t);
+}
+
 }  // namespace
 
 vec3 AirTable::at(float x, float y) const {
@@ -200,19 +240,22 @@ vec3 AirTable::at(float x, float y) const {
 }
 
 void updateAir(AirTables& t, float turbidity, float sunUp, float haze) {
-    const bool sameAir = t.turbidity == turbidity, sameSun = sameAir && t.sunUp == sunUp;
-    if (sameSun && t.haze == haze) return;
+    if (sharedWith(t, turbidity, sunUp, haze) == kAllTables) return;
+    takeLatest(t, turbidity, sunUp, haze);
+    const int shared = sharedWith(t, turbidity, sunUp, haze);
+    if (shared == kAllTables) return;
     const Air air = f32::airOf(turbidity);
     if (t.columns.values.empty()) t.columns = fill(96, 48, columnsAt);
-    if (!sameAir)
+    if (shared < 1)
         t.scattered =
             fill(33, 24, [&](float x, float y) { return scatteredAt(t.columns, air, heightAtShare(y), sunMu(x)); });
     t.turbidity = turbidity, t.sunUp = sunUp, t.haze = haze;
-    if (!sameSun)
+    if (shared < 2)
         t.sky = fill(64, 96, [&](float x, float y) { return skySeen(t, air, rayTo(sunUp, x, f32::skySine(y))); });
     t.between = {32, 48, std::vector<vec3>(size_t(32) * 48)};
     parallelFor(32, [&](size_t x) { airAlongRay(t, air, static_cast<int>(x)); });
     ++t.changes;
+    keepLatest(t);
 }
 
 float airExtinction(float turbidity) {

@@ -32,8 +32,8 @@ struct AirTables {
     AirTable between;      // what haze fades into, kcd/m2, by airAcross and airAlong
 };
 
-// Makes what is not yet as asked for. sunUp: the sine of the sun's height over the horizon; haze: extinction of haze
-// beside the air's own (1/m, 0 or more), which shines as the horizon does.
+// Makes what is not yet as asked for, but for what this process made lately. sunUp: the sine of the sun's height over
+// the horizon; haze: extinction of haze beside the air's own (1/m, 0 or more), which shines as the horizon does.
 void updateAir(AirTables& tables, float turbidity, float sunUp, float haze);
 // What a metre of air near the ground takes of light, mean over colours (1/m).
 float airExtinction(float turbidity);

@@ -225,5 +225,22 @@ TEST(AirTables, AreMadeAnewOnlyWhereTheyChange) {
     EXPECT_EQ(&t.sky.values[0].x, sky) << "the haze does not change the sky";
 }
 
+TEST(AirTables, OfWhatWasMadeLatelyAreThoseMadeFromNothing) {
+    AirTables first, t, other;
+    updateAir(first, 2.7f, 0.3f, 1e-4f);
+    updateAir(t, 2.7f, 0.5f, 0);  // its scattered light is the first's
+    const unsigned changes = t.changes;
+    updateAir(t, 2.7f, 0.3f, 1e-4f);
+    EXPECT_NE(t.changes, changes) << "what is drawn follows";
+    EXPECT_EQ(t.sky.values, first.sky.values);
+    EXPECT_EQ(t.between.values, first.between.values);
+    updateAir(t, 2.7f, 0.5f, 0);
+    for (const float turbidity : {3.0f, 4.0f, 5.0f, 6.0f}) updateAir(other, turbidity, 0.3f, 1e-4f);
+    updateAir(t, 2.7f, 0.3f, 1e-4f);  // forgotten meanwhile
+    EXPECT_EQ(t.scattered.values, first.scattered.values);
+    EXPECT_EQ(t.sky.values, first.sky.values);
+    EXPECT_EQ(t.between.values, first.between.values);
+}
+
 }  // namespace
 }  // namespace sward
