@@ -5,6 +5,7 @@
 // times. What grows on the terrain colours it (world/land.h); trees stand as without wind.
 // Does not: light of lamps; grass on objects.
 #pragma once
+#include <glm/glm.hpp>
 #include <memory>
 #include <optional>
 
