@@ -15,7 +15,7 @@ for _, name in ipairs(entity.list()) do entity.remove(name) end
 entity.add("ground", { Terrain = { beyond = "fade", size = { size, size }, groundColor = { 0.34, 0.25, 0.15 }, tileSize = 3, castShadows = true } })
 -- Slices are sharper than by default: frames that add up smooth the grain.
 entity.add("grass", { GrassField = {
-    cellSize = 1, minGeom = 4, maxGeom = 9, minBTF = 26, maxBTF = 40, slices = 16, sharpness = 3, sliceWidth = 512, sliceHeight = 128, farSize = 512,
+    cellSize = 1, minGeom = 5, maxGeom = 11, minBTF = 26, maxBTF = 40, slices = 16, sharpness = 3, sliceWidth = 512, sliceHeight = 128, farSize = 512,
     species = {
         { name = "lush", bladesPerM2 = 4200, height = 0.3, heightVariation = 0.4, width = 0.0065, bend = 0.75,
           leanDeg = 12, leanVariationDeg = 16, segments = 4, clumpSize = 0.5, clumpStrength = 0.65, translucency = 0.8, gloss = 0.5,
