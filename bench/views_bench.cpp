@@ -120,9 +120,12 @@ void measure() {
         setTechnique(*project, technique);
         Renderer r(*gpu(), tables());
         Found atFirst;  // programs and images of blades are made then, which is no frame's time
-        look(r, *project, view, atFirst);
-        for (; view <= end; ++view) look(r, *project, view, found);
-        std::fprintf(stderr, "%s by %s, to view %lu: slowest %.2g s\n", name, technique.name, end, found.slowest);
+        const double begun = seconds([&] { look(r, *project, view, atFirst); });
+        const double took = seconds([&] {
+            for (; view <= end; ++view) look(r, *project, view, found);
+        });
+        std::fprintf(stderr, "%s by %s, to view %lu: begun in %.2g s, then all in %.3g s; slowest view %.2g s\n", name,
+                     technique.name, end, begun, took, found.slowest);
     }
     std::fprintf(stderr, "%lu views; %lu more would take over %.0f s by their estimate\n", found.views, found.tooLong,
                  kLongestSeconds);

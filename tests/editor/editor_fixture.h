@@ -36,12 +36,13 @@ class EditorFixture : public testing::Test {
     }
 
     // What panels and hands do does not depend on how good the grass is: light from blade to blade is traced for
-    // seconds after each change of a species, and slices are most of a frame. No undo step: this is how the project
-    // begins.
+    // seconds after each change of a species, and slices and near blades are most of a frame. No undo step: this is how
+    // the project begins.
     void thinOut() {
         Project& p = const_cast<Project&>(doc.project());
         p.registry.add<GrassDrawing>(findEntity(p, "lawn"), {.bakeLight = BakeLight::Local});
         p.registry.add<GrassSlices>(findEntity(p, "lawn"), {.slices = 2});
+        p.registry.get<GrassField>(findEntity(p, "lawn"))->species[0].bladesPerM2 /= 10;
         ASSERT_TRUE(doc.save());
     }
     // Of 800 x 600 points; what panels and hands do does not depend on how fine the picture is, nor on its blades.

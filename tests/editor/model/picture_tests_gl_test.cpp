@@ -15,6 +15,7 @@ class PictureTests : public testing::Test {
   protected:
     void SetUp() override {
         ASSERT_TRUE(doc.create(dir / "meadow"));
+        ASSERT_TRUE(doc.setField("lawn.GrassField.species[lawn].bladesPerM2", "100"));  // pictures are quicker
         camera = picturesCamera();
         renderer = std::make_unique<Renderer>(gpu(), tables());
     }

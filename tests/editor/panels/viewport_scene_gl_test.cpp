@@ -8,6 +8,7 @@ namespace {
 using test::EditorUi;
 
 TEST_F(EditorUi, WhatKeepsTheSceneFromBeingDrawnIsSaidUntilItIsMended) {
+    ok(doc.setField("lawn.GrassField.species[lawn].bladesPerM2", "4000"));
     ok(doc.setField("lawn.GrassField.population", "unique"));
     ok(ui->wait(3));
     EXPECT_NE(get("Viewport/Error").find("lawn.GrassField.population: 6400000 blades"), std::string::npos)
