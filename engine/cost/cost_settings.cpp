@@ -1,5 +1,7 @@
 #include "cost/cost_settings.h"
 
+#include <algorithm>
+
 #include "core/json.h"
 #include "scene/antialias.h"
 #include "scene/forest_technique.h"
@@ -60,6 +62,22 @@ std::vector<SettingValues> sweptBy(const std::vector<std::pair<std::string, T>>&
     }
     return out;
 }
+// A technique's sweep takes four samples a pixel beside its other values. Where the project's frames add up, those are
+// tried in frames that add up, as what they stand beside is drawn, and four samples once.
+std::vector<SettingValues> asFramesAre(const Project& project, const std::vector<SettingValues>& swept) {
+    constexpr const char* kFourSamples = "msaa=4";
+    if (!temporalOf(project)) return swept;
+    std::vector<SettingValues> out;
+    const auto addOnce = [&](const SettingValues& v) {
+        if (std::find(out.begin(), out.end(), v) == out.end()) out.push_back(v);
+    };
+    for (SettingValues v : swept) {
+        std::replace(v.begin(), v.end(), std::string(kFourSamples), std::string(kTemporalSetting));
+        addOnce(v);
+    }
+    addOnce({kFourSamples});
+    return out;
+}
 void addGrass(std::vector<CostSetting>& out, const Project& project, const Tables& tables, const std::string& only) {
     const auto fields = fieldsOf(project);
     for (const TechniqueRow& row : tables.techniques) {
@@ -67,7 +85,7 @@ void addGrass(std::vector<CostSetting>& out, const Project& project, const Table
         const auto sweep = [&](const FieldEntity& f) {
             return row.sweep ? row.sweep(f) : std::vector<SettingValues>{{"msaa=4"}};
         };
-        for (const SettingValues& v : sweptBy(fields, sweep)) out.push_back({row.name, v});
+        for (const SettingValues& v : asFramesAre(project, sweptBy(fields, sweep))) out.push_back({row.name, v});
     }
 }
 void addForests(std::vector<CostSetting>& out, const Project& project, const std::string& only) {
@@ -75,7 +93,7 @@ void addForests(std::vector<CostSetting>& out, const Project& project, const std
     for (const ForestTechniqueRow& row : forestTechniques()) {
         if (forests.empty() || (!only.empty() && only != kEveryForestTechnique && only != row.name)) continue;
         const auto sweep = [&](const Forest* f) { return row.sweep(*f); };
-        for (const SettingValues& v : sweptBy(forests, sweep)) out.push_back({row.name, v});
+        for (const SettingValues& v : asFramesAre(project, sweptBy(forests, sweep))) out.push_back({row.name, v});
     }
 }
 // Of one entity.

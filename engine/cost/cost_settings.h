@@ -42,7 +42,9 @@ inline constexpr const char* kEveryForestTechnique = "forest";
 // All settings for a project's grass and forests: first the project's own, without values (and, where its fields differ
 // in it, without a technique); then those around each field's own in the order of the techniques' table
 // (TechniqueRow::sweep), then those of its forests (forestTechniques); of one technique if it is named. Settings of one
-// leave the other as it is. Usage error: no such technique. Unsound: the project has none of what it draws.
+// leave the other as it is. Where the project's frames add up (Antialias), they do in all of them but those that ask
+// for another number of samples, "msaa=4" once for each technique. Usage error: no such technique. Unsound: the project
+// has none of what it draws.
 Result<std::vector<CostSetting>> costSettings(const Project& project, const Tables& tables,
                                               const std::string& technique = {});
 // Whether `a` draws all that `b` draws and perhaps more: no distance, share of detail or number of samples is smaller,

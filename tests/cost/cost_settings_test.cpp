@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "fields.h"
@@ -180,6 +181,33 @@ TEST(CostSettings, FramesThatAddUpAreTriedByEveryTechnique) {
     const Status wrong = applySetting(p, tables(), {"geometry", {"antialias=fxaa"}}, view);
     ASSERT_FALSE(wrong);
     EXPECT_EQ(wrong.error().code, ExitCode::Usage);
+}
+
+TEST(CostSettings, AroundFramesThatAddUpAreOthersThatDo) {
+    Project p = grassy();
+    setAntialias(p, Antialiasing::Temporal);
+    const auto all = costSettings(p, tables());
+    ASSERT_TRUE(all);
+    std::map<std::string, int> withOthers;
+    for (const CostSetting& s : *all) {
+        Project copy = snapshot(p, tables().components);
+        ViewSettings view;
+        ASSERT_TRUE(applySetting(copy, tables(), s, view)) << s.text();
+        const bool oneSample = std::ranges::count(s.values, "msaa=1") == 1;
+        if (s.values == SettingValues{"msaa=4"})
+            EXPECT_EQ(++withOthers[s.technique], 1) << s.technique;
+        else
+            EXPECT_EQ(temporalOf(copy) == nullptr, oneSample) << s.technique << " " << s.text();
+        EXPECT_EQ(std::ranges::count_if(
+                      *all, [&](const CostSetting& o) { return o.technique == s.technique && o.values == s.values; }),
+                  1)
+            << s.technique << " " << s.text();
+    }
+    for (const TechniqueRow& row : tables().techniques) {
+        EXPECT_EQ(withOthers[row.name], 1) << row.name;
+        EXPECT_LE(std::ranges::count(*all, std::string(row.name), &CostSetting::technique), 33)
+            << row.name << " and as it is";
+    }
 }
 
 }  // namespace
