@@ -62,9 +62,10 @@ std::vector<SettingValues> sweptBy(const std::vector<std::pair<std::string, T>>&
     }
     return out;
 }
-// A technique's sweep takes four samples a pixel beside its other values. Where the project's frames add up, those are
-// tried in frames that add up, as what they stand beside is drawn, and four samples once.
-std::vector<SettingValues> asFramesAre(const Project& project, const std::vector<SettingValues>& swept) {
+// A technique's sweep takes four samples a pixel beside its other values. Where the project's frames add up, its other
+// values are tried in frames that add up, so that each row differs from the project as it is in those alone; four
+// samples are tried once.
+std::vector<SettingValues> withOwnAntialiasing(const Project& project, const std::vector<SettingValues>& swept) {
     constexpr const char* kFourSamples = "msaa=4";
     if (!temporalOf(project)) return swept;
     std::vector<SettingValues> out;
@@ -85,7 +86,8 @@ void addGrass(std::vector<CostSetting>& out, const Project& project, const Table
         const auto sweep = [&](const FieldEntity& f) {
             return row.sweep ? row.sweep(f) : std::vector<SettingValues>{{"msaa=4"}};
         };
-        for (const SettingValues& v : asFramesAre(project, sweptBy(fields, sweep))) out.push_back({row.name, v});
+        for (const SettingValues& v : withOwnAntialiasing(project, sweptBy(fields, sweep)))
+            out.push_back({row.name, v});
     }
 }
 void addForests(std::vector<CostSetting>& out, const Project& project, const std::string& only) {
@@ -93,7 +95,8 @@ void addForests(std::vector<CostSetting>& out, const Project& project, const std
     for (const ForestTechniqueRow& row : forestTechniques()) {
         if (forests.empty() || (!only.empty() && only != kEveryForestTechnique && only != row.name)) continue;
         const auto sweep = [&](const Forest* f) { return row.sweep(*f); };
-        for (const SettingValues& v : asFramesAre(project, sweptBy(forests, sweep))) out.push_back({row.name, v});
+        for (const SettingValues& v : withOwnAntialiasing(project, sweptBy(forests, sweep)))
+            out.push_back({row.name, v});
     }
 }
 // Of one entity.
